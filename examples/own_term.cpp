@@ -27,7 +27,7 @@ int main(int argc, char** argv) try {
     return 2;
   }
   const std::string terms =
-      "map.terms=[{name: range_middle, weight: " + std::string(argv[4]) + "}]";
+      "map.custom_terms=[{name: range_middle, weight: " + std::string(argv[4]) + "}]";
   const morphe::Pipeline pipeline(argv[1], {terms}, {std::make_shared<RangeMiddle>()});
 
   const std::filesystem::path plans = argv[3];

@@ -100,7 +100,8 @@ def wrong_table(page):
 
 def wrong_names(page):
     """A row that begins with a link to a file: every name in it must stand in that file."""
-    for link, row in re.findall(r"^\| \[[^\]]+\]\(([^)#]+)[^|]*\|(.*)\|$", page, re.M):
+    prose = re.sub(r"^```.*?^```$", "", page, flags=re.M | re.S)
+    for link, row in re.findall(r"^\| \[[^\]]+\]\(([^)#]+)[^|]*\|(.*)\|$", prose, re.M):
         text = (ROOT / "docs" / link).read_text(encoding="utf-8")
         for name in re.findall(r"`(\w+)`", row):
             if not re.search(rf"\b{name}\b", text):

@@ -35,7 +35,7 @@ SHOWN_BY = ("GNU 12.2", "OMPL 1.5", "NLopt 2.7", "Eigen3 3.4", "x86-64-v3", "gli
 SHARE, LAST_DIGITS, COUNT = 0.3, 2, 20
 NUMBER = re.compile(r"-?\d+(\.\d+)?(e-?\d+)?")
 # A line that no two runs have alike.
-TAKES_TIME = re.compile(r"\d+ frames planned, \d+ for each second of a core; \d+ ms a movement: map \d+")
+TAKES_TIME = re.compile(r"\d+ frames; \d+ frames/s per core; \d+ ms per movement: map \d+")
 
 
 def text_of(name):
@@ -501,8 +501,8 @@ def self_test():
         yield "a message that nothing prints is not found"
     for exact, shown, printed, wrong in [(True, "tempo 1.26", "tempo 1.27", True), (False, "tempo 1.26", "tempo 1.27", False),
                                          (True, "tempo 1.26", "tempo 1.26  ", False),
-                                         (True, "9 frames planned, 3 for each second of a core; 4 ms a movement: map 3",
-                                          "9 frames planned, 2 for each second of a core; 5 ms a movement: map 5", False)]:
+                                         (True, "9 frames; 3 frames/s per core; 4 ms per movement: map 3",
+                                          "9 frames; 2 frames/s per core; 5 ms per movement: map 5", False)]:
         if bool(list(wrong_output("", shown, printed, exact))) != wrong:
             yield f"'{shown}' and '{printed}' are judged wrongly{' by the build that printed it' if exact else ''}"
     page = text_of("docs/steps/reconstruct.md")

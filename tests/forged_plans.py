@@ -230,11 +230,11 @@ table("every_capsule_may_touch", lambda f, robot: robot["capsules/may_touch_targ
 
 def _all_allowed(f, robot):
     count = len(robot["capsules/radius"])
-    pairs = np.array([(i, j) for i in range(count) for j in range(i + 1, count)], robot["allowed_pairs"].dtype)
-    attributes = dict(robot["allowed_pairs"].attrs)
-    del robot["allowed_pairs"]
-    robot["allowed_pairs"] = pairs
-    robot["allowed_pairs"].attrs.update(attributes)
+    pairs = np.array([(i, j) for i in range(count) for j in range(i + 1, count)], robot["allowed_collision_pairs"].dtype)
+    attributes = dict(robot["allowed_collision_pairs"].attrs)
+    del robot["allowed_collision_pairs"]
+    robot["allowed_collision_pairs"] = pairs
+    robot["allowed_collision_pairs"].attrs.update(attributes)
 table("every_pair_allowed", _all_allowed)
 table("a_capsule_elsewhere", lambda f, robot: robot["capsules/from"].write_direct(robot["capsules/from"][()] + 1e-3 * f.size))
 table("a_frame_elsewhere", lambda f, robot: robot["frames/offset"].write_direct(robot["frames/offset"][()] + 1e-3 * f.size))
@@ -248,7 +248,8 @@ table("tips_elsewhere", _tip)
 
 # Tolerances and config
 
-for _name in ("margin", "contact_depth", "link_depth", "tracking_grasp", "tracking", "out_of_reach_share", "farthest_tip"):
+for _name in ("required_clearance", "max_penetration", "max_link_penetration", "tracking_tolerance_grasp", "tracking_tolerance",
+              "max_unreachable_share", "max_tip_error"):
     def _forge(f, name=_name):
         need(name in f.plan.attrs)
         stored, off = f.plan.attrs[name], min(0.9, 1e-3 * f.size)
@@ -260,7 +261,7 @@ for _name in ("margin", "contact_depth", "link_depth", "tracking_grasp", "tracki
 def a_config_that_says_otherwise(f):
     """With its own hash, but not with what came out of it."""
     config = text(f.file.attrs["config"])
-    key, value = f.rng.choice([("tracking_grasp", "0.05"), ("margin", "0")])
+    key, value = f.rng.choice([("tracking_tolerance_grasp", "0.05"), ("required_clearance", "0")])
     config = re.sub(rf"\n  {key}: [^\n]*", f"\n  {key}: {value}", config)
     f.file.attrs["config"] = np.bytes_(config)
     f.file.attrs["config_sha256"] = np.bytes_(hashlib.sha256(config.encode()).hexdigest())
@@ -274,7 +275,7 @@ def a_hash_of_another_config(f):
 
 def cut_goals(f, keep):
     for name in list(f.plan["goals"]):
-        if len(f.plan["goals"][name]) == len(f.plan["mapped/status"]) and name not in ("closed", "estimated"):
+        if len(f.plan["goals"][name]) == len(f.plan["mapped/status"]) and name not in ("auto_closed", "estimated"):
             f.resize("goals/" + name, f.plan["goals"][name][()][keep])
     for name in list(f.plan["mapped"]):
         f.resize("mapped/" + name, f.plan["mapped"][name][()][keep])
@@ -382,7 +383,7 @@ def a_movement_that_ends_later(f):
 
 @lie("phases and times")
 def a_movement_that_begins_earlier(f):
-    f.plan.attrs["start_s"] -= 0.02 + 1e-3 * f.size
+    f.plan.attrs["begin_s"] -= 0.02 + 1e-3 * f.size
 
 @lie("phases and times")
 def a_demonstration_that_waits(f):
@@ -451,7 +452,7 @@ def carried_by_the_palm(f):
     need("palm" not in text(f.target().attrs.get("attached_frame", b"")))
     names = [text(n) for n in f.file["robot/frames/name"][()]]
     f.target().attrs["attached_frame"] = np.bytes_(names[int(f.file["robot"].attrs["palm_frame"])])
-    f.target().attrs["attach_s"] = f.plan.attrs["start_s"]
+    f.target().attrs["attach_s"] = f.plan.attrs["begin_s"]
 
 @lie("scene")
 def taken_early(f):
@@ -468,14 +469,14 @@ def released_late(f):
 def another_object_carried(f):
     need("table" in f.plan["scene"] and text(f.plan.attrs["target"]) != "table")
     f.plan["scene/table"].attrs["attached_frame"] = f.file["robot/frames/name"][0]
-    f.plan["scene/table"].attrs["attach_s"] = f.plan.attrs["start_s"]
+    f.plan["scene/table"].attrs["attach_s"] = f.plan.attrs["begin_s"]
 
 @lie("scene")
 def a_world_elsewhere(f):
-    need("world" in f.plan)
-    name = f.rng.choice([n for n in ("table", "target") if np.isfinite(f.plan["world"][n][()]).all()] or [""])
+    need("reference_frames" in f.plan)
+    name = f.rng.choice([n for n in ("table", "target") if np.isfinite(f.plan["reference_frames"][n][()]).all()] or [""])
     need(name)
-    f.add(f"world/{name}", 1e-5, int(f.rng.choice([3, 7, 11])))
+    f.add(f"reference_frames/{name}", 1e-5, int(f.rng.choice([3, 7, 11])))
 
 @lie("scene")
 def an_object_without_a_place(f):
@@ -495,7 +496,7 @@ def a_grasp_at_another_sample(f):
     f.plan["grasp"].attrs["sample"] = np.int32(max(0, f.plan["grasp"].attrs["sample"] - int(f.size)))
     need(f.plan["grasp"].attrs["sample"] > 0)
 
-for _name in ("object_pose", "wrist_pose_in_object", "tips_in_object", "hand_posture", "pregrasp_posture"):
+for _name in ("object_pose", "palm_pose_in_object", "tips_in_object", "grasp_posture", "pregrasp_posture"):
     def _forge(f, name=_name):
         f.add("grasp/" + name, 1e-5)
     _forge.__name__ = f"{_name}_moved"
@@ -507,11 +508,11 @@ def mapped_elsewhere(f):
 
 @lie("grasp, mapped and path")
 def a_mapped_error_less(f):
-    f.add("mapped/position_error", 1e-5)
+    f.add("mapped/tip_error", 1e-5)
 
 @lie("grasp, mapped and path")
 def a_mapped_turn_less(f):
-    f.add("mapped/orientation_error", 1e-4)
+    f.add("mapped/tip_orientation_error", 1e-4)
 
 @lie("grasp, mapped and path")
 def a_humanlikeness_of_its_own(f):
@@ -542,8 +543,8 @@ def a_path_that_ends_early(f):
 # Certificate and status
 
 CERTIFICATE = [name for name in verify_plans.EXTREMES] + [
-    "position_margin", "clearance", "position_error_max", "position_error_mean", "position_error_grasp",
-    "orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "tempo", "humanlikeness_mapped",
+    "joint_limit_margin", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp",
+    "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "duration_ratio", "humanlikeness_mapped",
     "humanlikeness_final", "sparc_robot", "sparc_human", "log_dimensionless_jerk_robot"]
 for _name in CERTIFICATE:
     def _forge(f, name=_name):
@@ -646,7 +647,7 @@ def contact(name, least, vector=False):
     forge.__name__ = f"a_contact_of_another_{name}"
     lie("contacts")(forge)
 
-for _name, _least in (("asked", 1e-3), ("point", 1e-3), ("normal", 3e-3), ("gap", 2e-5), ("pad_angle", 1e-5)):
+for _name, _least in (("desired_point", 1e-3), ("point", 1e-3), ("normal", 3e-3), ("signed_distance", 2e-5), ("pad_angle", 1e-5)):
     contact(_name, _least)
 
 @lie("contacts")
@@ -671,7 +672,7 @@ def a_contact_left_out(f):
 @lie("contacts")
 def all_contacts_left_out(f):
     need("grasp/contacts" in f.plan)
-    for name in ("contacts", "quality", "squeeze"):
+    for name in ("contacts", "quality", "grasp_force"):
         if name in f.plan["grasp"]:
             del f.plan["grasp"][name]
 
@@ -687,7 +688,8 @@ def a_contact_on_another_link(f):
     names[k] = f.file["robot/capsules/name"][0]
     f.plan["grasp/contacts/link"][...] = names
 
-for _name, _least in (("friction", 0.02), ("torsion", 0.02), ("mass", 0.02), ("torque_scale", 0.02), ("given", 0.01)):
+for _name, _least in (("friction_coefficient", 0.02), ("torsional_friction", 0.02), ("mass", 0.02),
+                       ("characteristic_length", 0.02), ("available_force", 0.01)):
     def _forge(f, name=_name, least=_least):
         need("grasp/quality" in f.plan and np.isfinite(f.plan["grasp/quality"].attrs[name]))
         f.plan["grasp/quality"].attrs[name] *= 1 + least * f.size
@@ -703,51 +705,51 @@ def an_epsilon_raised(f):
 @lie("contacts")
 def newtons_needed_fewer(f):
     need("grasp/quality" in f.plan)
-    name = f.rng.choice(["needed_down", "needed_worst"])
+    name = f.rng.choice(["required_force_gravity", "required_force_worst"])
     need(np.isfinite(f.plan["grasp/quality"].attrs[name]))
     f.plan["grasp/quality"].attrs[name] *= 0.9 / f.size**0.3
 
 @lie("contacts")
 def a_force_changed(f):
-    need("grasp/squeeze" in f.plan)
-    f.add("grasp/contacts/force", 0.1)
+    need("grasp/grasp_force" in f.plan)
+    f.add("grasp/contacts/normal_force", 0.1)
 
 @lie("contacts")
 def a_force_out_of_its_cone(f):
-    need("grasp/squeeze" in f.plan)
-    f.add("grasp/contacts/friction", 0.1)
+    need("grasp/grasp_force" in f.plan)
+    f.add("grasp/contacts/friction_force", 0.1)
 
 @lie("contacts")
 def a_torque_changed(f):
-    f.add("grasp/squeeze/torque", 1e-4)
+    f.add("grasp/grasp_force/torque", 1e-4)
 
 @lie("contacts")
 def a_servo_sent_elsewhere(f):
-    f.add("grasp/squeeze/servo_target", 1e-4)
+    f.add("grasp/grasp_force/servo_target", 1e-4)
 
 @lie("contacts")
 def a_squeeze_left_out(f):
-    need("grasp/squeeze" in f.plan)
-    del f.plan["grasp/squeeze"]
+    need("grasp/grasp_force" in f.plan)
+    del f.plan["grasp/grasp_force"]
 
 @lie("contacts")
 def a_squeeze_run_as_a_motion(f):
-    need("grasp/squeeze" in f.plan)
+    need("grasp/grasp_force" in f.plan)
     sample, rows = f.plan["grasp"].attrs["sample"], len(f.plan["trajectory/time"])
     need(sample + 1 < rows)
-    f.plan["trajectory/position"][int(f.rng.integers(sample + 1, rows))] = f.plan["grasp/squeeze/servo_target"][()]
+    f.plan["trajectory/position"][int(f.rng.integers(sample + 1, rows))] = f.plan["grasp/grasp_force/servo_target"][()]
 
 @lie("contacts")
 def a_pad_that_is_not_asked(f):
-    need("pad_share" in f.plan["goals"])
-    f.plan["goals/pad_share"][...] = 0
+    need("tip_to_pad_share" in f.plan["goals"])
+    f.plan["goals/tip_to_pad_share"][...] = 0
 
 @lie("contacts")
 def a_penetration_deeper(f):
     need("grasp/contacts" in f.plan)
-    gap = f.plan["grasp/contacts/gap"][()].min()
+    gap = f.plan["grasp/contacts/signed_distance"][()].min()
     need(gap < -1e-5)
-    f.plan.attrs["contact_depth"] = -gap * 0.5
+    f.plan.attrs["max_penetration"] = -gap * 0.5
 
 
 def agree_with_the_lie(robot, plan):
@@ -759,7 +761,7 @@ def agree_with_the_lie(robot, plan):
     poses = robot.frame_poses(q)
     for m in range(len(robot.tip_names)):
         away = asked_points(robot, goals, m, time, poses) - goals["tip_position"][:, m]
-        mapped["position_error"][:, m] = np.linalg.norm(away, axis=1)
+        mapped["tip_error"][:, m] = np.linalg.norm(away, axis=1)
 
 
 def clearances(robot, plan, name):

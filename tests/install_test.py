@@ -225,9 +225,9 @@ class Tree(Installed):
             config = file.attrs["config"].decode()
         self.assertIn("range_middle", config)
         # The program itself brings no terms, and says so.
-        (folder / "with_term.yaml").write_text(f"extends: {ROOT / CONFIG}\nmap:\n  terms: [{{name: range_middle, weight: 1}}]\n")
+        (folder / "with_term.yaml").write_text(f"extends: {ROOT / CONFIG}\nmap:\n  custom_terms: [{{name: range_middle, weight: 1}}]\n")
         said = run(self.prefix / "bin/morphe", "run", "with_term.yaml", "--out", "none", cwd=folder, exit_code=2)
-        self.assertIn("with_term.yaml:3: map.terms: this program brings no term 'range_middle'", said)
+        self.assertIn("with_term.yaml:3: map.custom_terms: this program has no term 'range_middle'", said)
 
     def check_what_was_read(self, said, plans):
         grasps = 0

@@ -17,15 +17,15 @@ class Robot:
         self.frames = columns(group["frames"], "parent", "transform", "axis", "joint", "ratio", "offset")
         self.frame_names = group["frames/name"].asstr()[()]
         count = len(self.frame_names)
-        self.slides = group["frames/slides"][()] if "slides" in group["frames"] else np.zeros(count)
+        self.slides = group["frames/prismatic"][()] if "prismatic" in group["frames"] else np.zeros(count)
         self.tips = columns(group["tips"], "frame", "transform")
         self.capsules = columns(group["capsules"], "frame", "from", "to", "radius", "may_touch_target")
         self.capsule_names = group["capsules/name"].asstr()[()]
-        self.centres, self.chains = group["centres/frame"][()], group["centres/chain"].asstr()[()]
+        self.centres, self.chains = group["joint_centres/frame"][()], group["joint_centres/chain"].asstr()[()]
         self.braking = columns(curves, *curves) if (curves := group.get("braking_curves")) else {}
         self.shoulder, self.palm = int(group.attrs["shoulder_frame"]), int(group.attrs["palm_frame"])
         self.fingers = group["tips/finger"][()]
-        self.allowed = {tuple(sorted(p)) for p in group["allowed_pairs"][()].reshape(-1, 2).tolist()}
+        self.allowed = {tuple(sorted(p)) for p in group["allowed_collision_pairs"][()].reshape(-1, 2).tolist()}
 
     def frame_poses(self, q):
         """base_from_frame [N, J + 1, 4, 4] for joint positions [N, n]; index -1 is the base."""
@@ -77,9 +77,9 @@ def asked_points(robot, goals, m, time, poses):
     """Where what a tip's goals are for is: the tip, or so much of the way to its pad."""
     frame, own = robot.tips["frame"][m], robot.tips["transform"][m, :3, 3]
     at = in_base(poses, frame, own)
-    if "pad_share" not in goals:
+    if "tip_to_pad_share" not in goals:
         return at
-    share = np.interp(time, goals["time"][()], goals["pad_share"][:, m])[:, None]
+    share = np.interp(time, goals["time"][()], goals["tip_to_pad_share"][:, m])[:, None]
     return at + share * (in_base(poses, frame, robot.pads()[m][1]) - at)
 
 def segment_distance(p, p_end, q, q_end):

@@ -26,8 +26,8 @@ def check_grasp(robot, plan, motion, phases, poses, report):
     base_from_object = pose_at(plan["scene"][target], time[sample])
     object_from_base = np.linalg.inv(base_from_object)
     tip_at = lambda p, m: (p[..., robot.tips["frame"][m], :, :] @ robot.tips["transform"][m])[..., :3, 3]
-    own = dict(hand_posture=q, object_pose=base_from_object,
-               wrist_pose_in_object=object_from_base @ here[robot.palm],
+    own = dict(grasp_posture=q, object_pose=base_from_object,
+               palm_pose_in_object=object_from_base @ here[robot.palm],
                tips_in_object=np.array([(object_from_base @ np.r_[tip_at(here, m), 1])[:3]
                                         for m in range(len(robot.tip_names))]))
     for name, value in own.items():
@@ -51,13 +51,13 @@ def check_who_touches(robot, plan, time, report):
     tips = [text(t) for t in contacts["tip"][()]] if contacts else []
     for m, name in enumerate(text(t) for t in robot.tip_names):
         share = 0
-        if "pad_share" in goals:
-            share = np.interp(time, goals["time"][()], goals["pad_share"][:, m])
+        if "tip_to_pad_share" in goals:
+            share = np.interp(time, goals["time"][()], goals["tip_to_pad_share"][:, m])
         if tips.count(name) != (share > 0):
             report.add("contact", name + "/missing", tips.count(name), share > 0)
-        closed = "closed" in goals and goals["closed"][m] == 1
+        closed = "auto_closed" in goals and goals["auto_closed"][m] == 1
         for k in (k for k, tip in enumerate(tips) if tip == name):
-            if (text(contacts["origin"][k]) == "closed") != closed:
+            if (text(contacts["origin"][k]) == "auto_closed") != closed:
                 report.add("contact", name + "/origin", not closed, closed)
 
 class Surface:
@@ -89,7 +89,7 @@ def check_contacts(robot, plan, here, object_from_base, report):
             note("link", np.nan, np.nan)
             continue
         asked, point, normal, gap, turned, sure = (
-            contacts[name][k] for name in ("asked", "point", "normal", "gap", "pad_angle", "confidence"))
+            contacts[name][k] for name in ("desired_point", "point", "normal", "signed_distance", "pad_angle", "confidence"))
         if not 0 <= sure <= 1:
             note("confidence", sure, 1)
         if not np.isfinite(np.r_[asked, point, normal, gap, turned]).all():
@@ -98,16 +98,16 @@ def check_contacts(robot, plan, here, object_from_base, report):
         caps = robot.capsules
         pose, radius = here[caps["frame"][capsule]], caps["radius"][capsule]
         a, b = ((object_from_base @ pose @ np.r_[caps[end][capsule], 1])[:3] for end in ("from", "to"))
-        for what, place in (("asked", asked), ("point", point)):
+        for what, place in (("desired_point", asked), ("point", point)):
             if not abs(away := surface.distance(place, place)[0]) <= POINT:
                 note(what, abs(away), POINT)
         m, when = names.index(tip), plan["trajectory/demonstration_time"][plan["grasp"].attrs["sample"]]
         goal = goals_at(plan["goals"], "tip_position", m, np.array([when]))[0]
         share = 0
-        if "pad_share" in plan["goals"]:
-            share = np.interp(when, plan["goals/time"][()], plan["goals/pad_share"][:, m])
+        if "tip_to_pad_share" in plan["goals"]:
+            share = np.interp(when, plan["goals/time"][()], plan["goals/tip_to_pad_share"][:, m])
         off = np.linalg.norm((object_from_base @ np.r_[goal, 1])[:3] - asked) - radius
-        if text(contacts["origin"][k]) == "closed":
+        if text(contacts["origin"][k]) == "auto_closed":
             frames = plan["goals/time"][()]
             after = min(np.searchsorted(frames, when), len(frames) - 1)
             still = np.linalg.norm(np.subtract(*plan["goals/tip_position"][max(after - 1, 0):][:2, m]))
@@ -115,12 +115,12 @@ def check_contacts(robot, plan, here, object_from_base, report):
         else:
             off = abs(off)
         if np.isfinite(off) and not off <= POINT + 0.05 * (1 - share):
-            note("asked", off, POINT)
+            note("desired_point", off, POINT)
         own = surface.distance(a, b)[0] - radius
         if not abs(gap - own) <= POINT:
-            note("gap", gap, own)
-        if not own >= -plan.attrs["contact_depth"] - 1e-6:
-            note("penetration", -own, plan.attrs["contact_depth"])
+            note("signed_distance", gap, own)
+        if not own >= -plan.attrs["max_penetration"] - 1e-6:
+            note("penetration", -own, plan.attrs["max_penetration"])
         on_axis = point - (radius + own) * normal
         share = np.clip((on_axis - a) @ (b - a) / max((b - a) @ (b - a), 1e-99), 0, 1)
         if not np.linalg.norm(on_axis - a - share * (b - a)) <= AXIS:
@@ -149,49 +149,49 @@ def check_squeeze(robot, plan, here, base_from_object, motion, sample, report):
     """Forces within their cones that balance, torques that make them, beside the trajectory."""
     grasp, contacts, quality = plan["grasp"], plan["grasp/contacts"], plan["grasp/quality"].attrs
     tips = [text(t) for t in contacts["tip"][()]]
-    touching = np.flatnonzero(contacts["gap"][()] <= TOUCHES)
+    touching = np.flatnonzero(contacts["signed_distance"][()] <= TOUCHES)
     presses = set(touching) if len(touching) >= 2 else set()
-    force, friction = contacts["force"][()], contacts["friction"][()]
+    force, friction = contacts["normal_force"][()], contacts["friction_force"][()]
     for k, tip in enumerate(tips):
         if k not in presses and not (np.isnan(force[k]) and np.isnan(friction[k]).all()):
-            report.add("squeeze", tip + "/force", force[k], np.nan)
-    if "squeeze" not in grasp:  # nothing balances where the signed epsilon is not above 0
+            report.add("grasp_force", tip + "/normal_force", force[k], np.nan)
+    if "grasp_force" not in grasp:  # nothing balances where the signed epsilon is not above 0
         if len(touching) >= 2 and quality["epsilon_lower"] > 1e-3:
-            report.add("squeeze", "torque", np.nan, np.nan)
+            report.add("grasp_force", "torque", np.nan, np.nan)
         return
     if not presses:
-        return report.add("squeeze", "torque", np.nan, np.nan)
-    torque, target = grasp["squeeze/torque"][()], grasp["squeeze/servo_target"][()]
+        return report.add("grasp_force", "torque", np.nan, np.nan)
+    torque, target = grasp["grasp_force/torque"][()], grasp["grasp_force/servo_target"][()]
     if not np.isfinite(np.r_[torque, target]).all():
-        return report.add("finite", "grasp/squeeze", np.nan, np.nan)
+        return report.add("finite", "grasp/grasp_force", np.nan, np.nan)
     wrench, ways, own, q = np.zeros(6), [], np.zeros(len(torque)), motion["position"][sample]
     for k in touching:
         point, normal = contacts["point"][k], contacts["normal"][k]
         if not force[k] >= 0:
-            report.add("squeeze", tips[k] + "/force", force[k], 0)
-        most, used = quality["friction"] * force[k], np.linalg.norm(friction[k])
+            report.add("grasp_force", tips[k] + "/normal_force", force[k], 0)
+        most, used = quality["friction_coefficient"] * force[k], np.linalg.norm(friction[k])
         if not max(used - most, abs(friction[k] @ normal)) <= 1e-6 * max(1, force[k]):
-            report.add("squeeze", tips[k] + "/cone", used, most)
+            report.add("grasp_force", tips[k] + "/friction_cone", used, most)
         whole = force[k] * normal + friction[k]
-        wrench += np.r_[whole, np.cross((point - quality["centre"]) / quality["torque_scale"], whole)]
+        wrench += np.r_[whole, np.cross((point - quality["centre_of_mass"]) / quality["characteristic_length"], whole)]
         spare = np.sqrt(max(0, 1 - min(1, used / most if most > 0 else 1)**2))
-        ways.append(quality["torsion"] * force[k] * spare / quality["torque_scale"] * normal)
+        ways.append(quality["torsional_friction"] * force[k] * spare / quality["characteristic_length"] * normal)
         own += levers(robot, q, robot.tips["frame"][[text(t) for t in robot.tip_names].index(tips[k])],
                       (base_from_object @ np.r_[point, 1])[:3]) @ (base_from_object[:3, :3] @ whole)
     left, allowed = left_over(wrench, ways), 0.03 * force[touching].max() + 2e-3
     if not left <= allowed:
-        report.add("squeeze", "balance", left, allowed)
+        report.add("grasp_force", "force_balance", left, allowed)
     if not np.abs(torque - own).max() <= 1e-6:
-        report.add("squeeze", "torque", np.abs(torque - own).max(), 1e-6)
-    turned = target - grasp["hand_posture"][()]
+        report.add("grasp_force", "torque", np.abs(torque - own).max(), 1e-6)
+    turned = target - grasp["grasp_posture"][()]
     if torque.any():  # one stiffness for all
         stiffness = torque @ torque / (torque @ turned) if torque @ turned else np.inf
         if not np.abs(turned - torque / stiffness).max() <= 1e-6:
-            report.add("squeeze", "servo_target", np.abs(turned - torque / stiffness).max(), 1e-6)
+            report.add("grasp_force", "servo_target", np.abs(turned - torque / stiffness).max(), 1e-6)
     if np.abs(turned).max() > 1e-6:
         moved = np.abs(motion["position"][sample:] - target)[:, torque != 0]
         if (moved.max(axis=1, initial=0) <= 1e-6).any():
-            report.add("squeeze", "trajectory", 0, 1e-6)
+            report.add("grasp_force", "trajectory", 0, 1e-6)
 
 def levers(robot, q, frame, point):
     """How a point on a frame moves with each joint of the fingers, by differences [n, 3]."""

@@ -61,7 +61,7 @@ def check_limits(robot, motion, report):
         if order == 0:
             x += motion["position"][:-1, :, None]
             excess, limit = np.maximum(low - x, x - high), np.where(low - x > x - high, low, high)
-            tolerance, found["position_margin"] = RELATIVE * (high - low)[:, 0], -excess.max()
+            tolerance, found["joint_limit_margin"] = RELATIVE * (high - low)[:, 0], -excess.max()
         else:
             x, limit = np.abs(x), np.broadcast_to(robot.limits[name][:, None], x.shape)
             excess, tolerance = x / limit - 1, np.full(len(robot.joints), RELATIVE)
@@ -78,7 +78,7 @@ def check_limits(robot, motion, report):
         x, v = (evaluate(c, order, POINTS)[:, j] / h**order for order in (0, 1))
         x = x + motion["position"][:-1, j, None]
         for sign, end in ((1, braking["upper_end"][b]), (-1, braking["lower_end"][b])):
-            left = np.sqrt(np.maximum(braking["slope"][b] * sign * (end - x), 0)) - braking["drop"][b]
+            left = np.sqrt(np.maximum(braking["twice_deceleration"][b] * sign * (end - x), 0)) - braking["velocity_offset"][b]
             ratio = np.where(sign * v > 0, sign * v / np.maximum(left, 1e-99), 0).max(axis=1)
             found["velocity_ratio"] = max(found["velocity_ratio"], ratio.max())
             report.add_runs("velocity", robot.joints[j], ~(ratio <= 1 + RELATIVE), ratio,
@@ -105,7 +105,7 @@ def check_tracking(robot, plan, motion, phases, report):
     goals = plan["goals"]
     (poses, clock, time), errors, turned = dense(robot, motion), [], []
     grasping, sampled = is_grasping(phases, time), np.arange(len(time)) % SUBSTEPS == 0
-    allowed = np.where(grasping, plan.attrs["tracking_grasp"], plan.attrs["tracking"])
+    allowed = np.where(grasping, plan.attrs["tracking_tolerance_grasp"], plan.attrs["tracking_tolerance"])
     tolerance = np.where(sampled, allowed, allowed + BETWEEN)
     here = poses[sampled]
     for m, tip in enumerate(robot.tip_names if len(goals["time"]) else ()):
@@ -119,9 +119,9 @@ def check_tracking(robot, plan, motion, phases, report):
         # |A - B|² = 8 sin²(angle / 2) of two rotation matrices.
         turned.append(2 * np.arcsin(np.minimum(np.linalg.norm(turn - goal, axis=(1, 2)) / 8**0.5, 1)))
     errors, turned = np.array(errors), np.array(turned)
-    found = dict(zip(("position_error_max", "position_error_mean"), largest_and_mean(errors)))
-    found["position_error_grasp"] = largest_and_mean(errors[:, grasping[sampled]] if len(errors) else errors)[0]
-    found["orientation_error_max"] = largest_and_mean(turned)[0]
+    found = dict(zip(("tip_error_max", "tip_error_mean"), largest_and_mean(errors)))
+    found["tip_error_grasp"] = largest_and_mean(errors[:, grasping[sampled]] if len(errors) else errors)[0]
+    found["tip_orientation_error_max"] = largest_and_mean(turned)[0]
     found.update(arm_figures(robot, goals, time[sampled], here))
     return found
 
@@ -244,8 +244,8 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
     middles = [(a + b) / 2 for a, b in ends]
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
     window = touch_times(phases, time)
-    margin, depth, least = plan.attrs["margin"], plan.attrs["contact_depth"], np.inf
-    pads, of_links = {capsule for capsule, _ in robot.pads()}, plan.attrs.get("link_depth", depth)
+    margin, depth, least = plan.attrs["required_clearance"], plan.attrs["max_penetration"], np.inf
+    pads, of_links = {capsule for capsule, _ in robot.pads()}, plan.attrs.get("max_link_penetration", depth)
     sampled = np.arange(len(time)) % substeps == 0
     own = np.full(len(time), np.inf)  # clearance of each instant; exact up to what is stored at samples
     told = np.where(np.isfinite(stored), stored + BETWEEN, np.inf)
@@ -267,7 +267,7 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
         if caps["frame"][i] == caps["frame"][j] or (i, j) in robot.allowed:
             continue
         radii = caps["radius"][i] + caps["radius"][j]
-        judge("self", robot.capsule_names[i] + "/" + robot.capsule_names[j],
+        judge("self_collision", robot.capsule_names[i] + "/" + robot.capsule_names[j],
               np.linalg.norm(middles[i] - middles[j], axis=1) - halves[i] - halves[j] - radii,
               lambda near: segment_distance(*(x[near] for x in ends[i] + ends[j])) - radii,
               np.zeros(len(time), bool))
@@ -281,7 +281,7 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
         into = into_carried(robot, group, motion, poses, time, substeps) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
-            judge("object", robot.capsule_names[i] + "/" + name,
+            judge("object_collision", robot.capsule_names[i] + "/" + name,
                   outside((a + b) / 2) - halves[i] - radius,
                   lambda near: exact(a[near], b[near]) - radius,
                   window & target & bool(caps["may_touch_target"][i]), depth if i in pads else of_links)
@@ -312,7 +312,7 @@ def check_certificate(plan, found, report):
     for name, value in found.items():
         # The extremes are looked for at points, the others recomputed.
         tolerance = 1e-3 * abs(value) + 1e-9 if name in EXTREMES else 1e-8 * max(1, abs(value))
-        tolerance = 1e-4 if name in ("position_margin", "clearance") else tolerance
+        tolerance = 1e-4 if name in ("joint_limit_margin", "clearance") else tolerance
         unbounded = name == "clearance" and np.isinf(value)  # nothing could touch
         good = unbounded or abs(stored[name] - value) <= tolerance
         if not good and not (np.isnan(value) and np.isnan(stored[name])):
@@ -320,23 +320,23 @@ def check_certificate(plan, found, report):
 
 def check_status(plan, status, farthest, report):
     """What is called executable reaches what it allows; files of earlier versions do not say what that is."""
-    if "out_of_reach_share" not in plan.attrs:
+    if "max_unreachable_share" not in plan.attrs:
         return
     asked = np.isfinite(plan["goals/tip_position"][()]).all(axis=2)
-    if "closed" in plan["goals"]:
-        asked &= plan["goals/closed"][()] == 0
+    if "auto_closed" in plan["goals"]:
+        asked &= plan["goals/auto_closed"][()] == 0
     out = plan["goals/reachable"][()] == 0
     share = (asked & out).sum() / asked.sum() if asked.any() else 0
-    most, tip = plan.attrs["out_of_reach_share"], plan.attrs["farthest_tip"]
+    most, tip = plan.attrs["max_unreachable_share"], plan.attrs["max_tip_error"]
     too_many, far = share > most or share == 1, farthest > tip
     if status == "approximate":
         if not too_many and not far:
             report.add("status", "approximate", share, most)
         return
     if too_many:
-        report.add("status", "out_of_reach_share", share, most)
+        report.add("status", "max_unreachable_share", share, most)
     if far:
-        report.add("status", "farthest_tip", farthest, tip)
+        report.add("status", "max_tip_error", farthest, tip)
 
 def check_plan(robot, path, plan):
     report = Report(path)
@@ -348,19 +348,19 @@ def check_plan(robot, path, plan):
         corners = (body["vertices"], body["triangles"]) if text(body.attrs["shape"]) == "mesh" else ()
         if any(len(rows) == 0 or not np.isfinite(rows[()]).all() for rows in corners):
             report.add("structure", name, np.nan, np.nan)
-    if moves and "remaining" in plan:
-        report.add("structure", "remaining", len(plan["remaining/depth"]), 0)
+    if moves and "remaining_findings" in plan:
+        report.add("structure", "remaining_findings", len(plan["remaining_findings/excess"]), 0)
     if report.rows or not moves or not (motion := read_motion(robot, plan["trajectory"], report)):
         return report.rows
     phases = list(zip(plan["phases/name"].asstr(), plan["phases/begin_s"], plan["phases/end_s"]))
-    frame_interpolation, reached = plan["goals/time"][()], motion["demonstration_time"]
-    for end in (0, -1) if len(frame_interpolation) else ():
-        if abs(reached[end] - frame_interpolation[end]) > COVERAGE:
-            report.add("time", "demonstration_time", reached[end], frame_interpolation[end])
+    goal_time, reached = plan["goals/time"][()], motion["demonstration_time"]
+    for end in (0, -1) if len(goal_time) else ():
+        if abs(reached[end] - goal_time[end]) > COVERAGE:
+            report.add("time", "demonstration_time", reached[end], goal_time[end])
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
     found.update(smoothness_of(robot, plan["goals"], motion))
-    check_status(plan, status, found["position_error_max"], report)
+    check_status(plan, status, found["tip_error_max"], report)
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     clearance = plan["trajectory/clearance"][()]
@@ -368,7 +368,7 @@ def check_plan(robot, path, plan):
     if plan["certificate"].attrs["clearance"] < found["clearance"] - BETWEEN:  # it may come nearer between the points
         found["clearance"] = check_contacts(robot, plan, motion, phases, clearance, Report(path), FINE_SUBSTEPS)[0]
     human = np.ptp(motion["demonstration_time"])
-    found["tempo"] = motion["time"][-1] / human if human > 0 else np.nan
+    found["duration_ratio"] = motion["time"][-1] / human if human > 0 else np.nan
     check_certificate(plan, found, report)
     poses = robot.frame_poses(motion["position"])
     check_promises(robot, plan, motion, phases, report)

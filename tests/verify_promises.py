@@ -57,8 +57,8 @@ def check_phases(plan, motion, phases, report):
             report.add("phase", name, begin, np.nan)
         before = (name, begin, end)
     if phases:
-        if not plan.attrs["start_s"] >= phases[0][1] - BORDER:
-            report.add("phase", "movement", plan.attrs["start_s"], phases[0][1])
+        if not plan.attrs["begin_s"] >= phases[0][1] - BORDER:
+            report.add("phase", "movement", plan.attrs["begin_s"], phases[0][1])
         if not plan.attrs["end_s"] <= (last := max(end for _, _, end in phases)) + BORDER:
             report.add("phase", "movement", plan.attrs["end_s"], last)
     time, said = motion["demonstration_time"], plan["trajectory/phase"][()]
@@ -81,7 +81,7 @@ def check_goals(robot, plan, phases, report):
         step = (time[-1] - time[0]) / (len(time) - 1)
         if (np.abs(np.diff(time) - step) > STEP).any():
             report.add("goals", "time", np.diff(time).max(), step)
-        for own, wanted in ((time[0], plan.attrs["start_s"]), (time[-1], plan.attrs["end_s"])):
+        for own, wanted in ((time[0], plan.attrs["begin_s"]), (time[-1], plan.attrs["end_s"])):
             if not abs(own - wanted) < step + STEP:
                 report.add("goals", "time", own, wanted)
     seen = np.isfinite(tips).all(axis=2)
@@ -120,12 +120,12 @@ def check_scene(robot, plan, phases, report):
             report.add("scene", name, release, transport[0][2])
         elif not transport and not release >= max(plan.attrs["end_s"], grasp[0][2]) - BORDER:
             report.add("scene", name, release, plan.attrs["end_s"])
-    if "world" not in plan:
+    if "reference_frames" not in plan:
         return
-    world, begin = plan["world"], plan.attrs["start_s"]
+    world, begin = plan["reference_frames"], plan.attrs["begin_s"]
     turn = world["recording"][:3, :3]
     if not np.abs(turn @ turn.T - np.eye(3)).max() <= POSE or np.linalg.det(turn) < 0:
-        report.add("scene", "world/recording", np.nan, np.nan)
+        report.add("scene", "reference_frames/recording", np.nan, np.nan)
     wanted = dict(table=None, target=None)
     if "table" in scene and text(scene["table"].attrs["shape"]) == "box":
         wanted["table"] = pose_at(scene["table"], begin)
@@ -136,7 +136,7 @@ def check_scene(robot, plan, phases, report):
         stored = world[name][()]
         good = np.isnan(stored).any() if own is None else np.abs(stored - own).max() <= POSE
         if not good:
-            report.add("scene", "world/" + name, np.nan, POSE)
+            report.add("scene", "reference_frames/" + name, np.nan, POSE)
 
 def check_mapped(robot, plan, report):
     mapped, goals = plan["mapped"], plan["goals"]
@@ -159,8 +159,8 @@ def check_mapped(robot, plan, report):
         turn = poses[:, robot.tips["frame"][m], :3, :3] @ robot.tips["transform"][m, :3, :3]
         goal = np.array([matrix(o) for o in goals["tip_orientation"][:, m]])
         turns.append(2 * np.arcsin(np.minimum(np.linalg.norm(turn - goal, axis=(1, 2)) / 8**0.5, 1)))
-    compare("position_error", mapped["position_error"][()], errors)
-    compare("orientation_error", mapped["orientation_error"][()], np.array(turns).T)
+    compare("tip_error", mapped["tip_error"][()], errors)
+    compare("tip_orientation_error", mapped["tip_orientation_error"][()], np.array(turns).T)
     arm = [frame for frame, chain in zip(robot.centres, robot.chains) if chain == "arm"]
     elbow = goals["elbow_position"][()]
     sums = sum((((in_base(poses, frame, np.zeros(3)) - elbow)**2).sum(axis=1) for frame in arm),
@@ -175,18 +175,18 @@ def check_mapped(robot, plan, report):
         report.add("mapped", "status", np.nan, np.nan)
 
 def check_path(robot, plan, motion, report):
-    path, frame_interpolation = plan["path"], plan["goals/time"][()]
+    path, goal_time = plan["path"], plan["goals/time"][()]
     q, time, origin = path["position"][()], path["demonstration_time"][()], path["origin"][()]
-    if not len(time) or not len(frame_interpolation) or not np.isfinite(time).all() or (np.diff(time) < 0).any():
+    if not len(time) or not len(goal_time) or not np.isfinite(time).all() or (np.diff(time) < 0).any():
         return report.add("path", "demonstration_time", len(time), 1)
     if not np.isfinite(q).all():
         return report.add("path", "position", np.nan, np.nan)
     for end in (0, -1):
-        if not abs(time[end] - frame_interpolation[end]) <= BORDER:
-            report.add("path", "demonstration_time", time[end], frame_interpolation[end])
+        if not abs(time[end] - goal_time[end]) <= BORDER:
+            report.add("path", "demonstration_time", time[end], goal_time[end])
     mapped = plan["mapped/position"][()]
-    if len(mapped) == len(frame_interpolation):
-        own = np.stack([np.interp(time, frame_interpolation, mapped[:, j]) for j in range(mapped.shape[1])], axis=1)
+    if len(mapped) == len(goal_time):
+        own = np.stack([np.interp(time, goal_time, mapped[:, j]) for j in range(mapped.shape[1])], axis=1)
         if not (np.abs(q - own)[origin == 0] <= 1e-9).all():
             report.add("path", "position", np.nan, 1e-9)
     slides = [bool(len(of := np.flatnonzero(robot.frames["joint"] == j)) and robot.slides[of[0]])
@@ -209,9 +209,9 @@ def check_transfer(plan, name, report):
     time, way = plan[name]["demonstration_time"][()], plan["trajectory/demonstration_time"][()]
     stands = way[0] if name == "approach" else way[-1]
     if (np.abs(time - stands) > BORDER).any():
-        report.add("transfer", "demonstration_time", time.max(), stands)
+        report.add("approach_retreat", "demonstration_time", time.max(), stands)
     if plan[name]["phase"][()].any():
-        report.add("transfer", "phase", plan[name]["phase"][()].max(), 0)
+        report.add("approach_retreat", "phase", plan[name]["phase"][()].max(), 0)
 
 def check_promises(robot, plan, motion, phases, report):
     check_phases(plan, motion, phases, report)

@@ -23,9 +23,9 @@ OTHERS = {
     ("stages/check/check_collisions.cpp", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "mesh"): "a key of the config, which has convex beside it",
     ("core/robot/files/mount_points.cpp", "base"): "the frame",
+    ("core/robot/files/urdf_joints.cpp", "fixed"): "a URDF's type of joint",
     ("pipeline/commands/inspect_report.cpp", "shoulder"): "the joint",
     ("stages/reconstruct/joint_centre.cpp", "shoulder"): "the joint",
-    ("pipeline/study/obstacles.cpp", "object"): "a kind of obstacle",
     ("pipeline/study/obstacles.cpp", "reach"): "a kind of obstacle",
 }
 

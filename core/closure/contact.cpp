@@ -14,12 +14,12 @@ std::string validation_error(const ContactSet& set) {
   if (!(set.torque_scale_m > 0 && set.torque_scale_m < kInfinity)) {
     return "the torque scale must be above 0";
   }
-  if (!set.reference.allFinite()) return "the reference point is not a point";
+  if (!set.reference.allFinite()) return "the reference point must be finite";
   for (std::size_t k = 0; k < set.contacts.size(); ++k) {
     const Contact& contact = set.contacts[k];
-    if (!contact.point.allFinite()) return fmt::format("contact {}: its point is none", k);
+    if (!contact.point.allFinite()) return fmt::format("contact {}: its point must be finite", k);
     if (!(std::abs(contact.normal.norm() - 1) < 1e-9)) {
-      return fmt::format("contact {}: its normal is no unit vector", k);
+      return fmt::format("contact {}: its normal is not a unit vector", k);
     }
     if (!(contact.force_limit_share > 0 && contact.force_limit_share < kInfinity)) {
       return fmt::format("contact {}: its share must be above 0", k);

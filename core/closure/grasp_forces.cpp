@@ -79,7 +79,7 @@ void add_bounds(const Unknowns& unknowns, const GraspForceOptions& options,
   problem.row_bounds[2 * n] = 1;
   Eigen::Index row = 2 * n + 1;
   for (const ForceBound& bound : bounds) {
-    assert(bound.most > 0 && bound.force.size() == unknowns.set.cones.size() &&
+    assert(bound.upper_bound > 0 && bound.force.size() == unknowns.set.cones.size() &&
            bound.moment.size() == unknowns.set.cones.size());
     for (std::size_t k = 0; k < bound.force.size(); ++k) {
       const WrenchSet::Cone& cone = unknowns.set.cones[k];
@@ -118,8 +118,8 @@ Eigen::VectorXd feasible_start(const Unknowns& unknowns, double share,
 GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& load,
                                     const GraspForceOptions& options,
                                     const std::vector<ForceBound>& bounds) {
-  assert(options.largest_n > 0 && options.share >= 0 && options.share < 1);
-  assert(options.friction_use > 0 && options.friction_use <= 1);
+  assert(options.max_force_n > 0 && options.min_force_share >= 0 && options.min_force_share < 1);
+  assert(options.friction_cone_share > 0 && options.friction_cone_share <= 1);
   GraspForces squeeze;
   squeeze.residual = load;
   squeeze.converged = true;
@@ -149,15 +149,6 @@ GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& lo
     squeeze.forces.push_back(force);
   }
   return squeeze;
-}
-
-ForceBound normal_force_bound(const ContactSet& contacts, std::size_t contact, double newtons) {
-  ForceBound bound;
-  bound.force.assign(contacts.contacts.size(), Vec3::Zero());
-  bound.moment.assign(contacts.contacts.size(), 0);
-  bound.force[contact] = contacts.contacts[contact].normal;
-  bound.upper_bound = newtons;
-  return bound;
 }
 
 }  // namespace morphe::closure

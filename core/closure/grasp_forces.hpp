@@ -53,7 +53,4 @@ GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& lo
                                     const GraspForceOptions& options,
                                     const std::vector<ForceBound>& bounds = {});
 
-/// Returns the constraint that f_n of one contact is at most `newtons`.
-ForceBound normal_force_bound(const ContactSet& contacts, std::size_t contact, double newtons);
-
 }  // namespace morphe::closure

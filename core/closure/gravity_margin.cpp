@@ -46,10 +46,6 @@ double GravityMargin::sufficient_force_n(double mass_kg) const {
   return lower > 0 ? kGravity_m_s2 * mass_kg / lower : kInfinity;
 }
 
-double GravityMargin::insufficient_force_n(double mass_kg) const {
-  return upper > 0 ? kGravity_m_s2 * mass_kg / upper : kInfinity;
-}
-
 GravityMargin gravity_margin(const ContactSet& contacts, const Load& load, const Vec3& gravity,
                              const BoundTolerance& tolerance) {
   const Vec3 down = gravity.normalized();

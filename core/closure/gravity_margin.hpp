@@ -26,8 +26,6 @@ struct GravityMargin {
   /// Returns a force that is certainly sufficient [N]; infinite if no squeeze is known to hold the
   /// mass.
   double sufficient_force_n(double mass_kg) const;
-  /// Returns a force that is certainly insufficient [N]; infinite if no squeeze can hold the mass.
-  double insufficient_force_n(double mass_kg) const;
 };
 
 /// Computes the margin for one direction of gravity, which need not be a unit vector:

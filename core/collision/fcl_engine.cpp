@@ -109,7 +109,7 @@ struct FclEngine::Trees {
     for (std::size_t i = 0; i < count; ++i) {
       capsule_shapes.push_back(capsule_of(world.robot->capsules[i], 0));
       padded_capsule_shapes.push_back(
-          capsule_of(world.robot->capsules[i], world.tolerances.margin));
+          capsule_of(world.robot->capsules[i], world.tolerances.required_clearance));
       capsule_objects.push_back(std::make_unique<Object>(padded_capsule_shapes.back()));
       capsule_objects.back()->setUserData(reinterpret_cast<void*>(i));
       capsule_tree.registerObject(capsule_objects.back().get());
@@ -161,7 +161,7 @@ struct FclEngine::Trees {
       return touch(*as_required, poses[i], *shapes[k], pose) ||
              is_inside(*solid.mesh, pose.inverse() * poses[i].translation());
     }
-    if (required_m == world.tolerances.margin)
+    if (required_m == world.tolerances.required_clearance)
       return touch(*padded_capsule_shapes[i], poses[i], *shapes[k], pose);
     const Geometry shape = shape_of(solid.object, shrunk_m);
     return shape && touch(*capsule_of(capsule, required_m), poses[i], *shape, pose);
@@ -176,7 +176,7 @@ struct FclEngine::Trees {
     const std::size_t i = std::min(number(a), number(b)), j = std::max(number(a), number(b));
     if (!trees.checked[i * trees.capsule_shapes.size() + j] || !trees.bodies_touch(i, j))
       return false;
-    trees.keep(i, j, false, trees.world.tolerances.margin);
+    trees.keep(i, j, false, trees.world.tolerances.required_clearance);
     return trees.first_only;
   }
 

@@ -126,13 +126,14 @@ int build(MeshSolid& solid, int first, int count) {
 
 std::string mesh_problem(const SceneObject& mesh) {
   for (const Vec3& vertex : mesh.vertices) {
-    if (!vertex.allFinite()) return "a vertex is not a number";
+    if (!vertex.allFinite()) return "a vertex is not finite";
   }
   const int vertices = static_cast<int>(mesh.vertices.size());
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    if (t.minCoeff() < 0 || t.maxCoeff() >= vertices) return "a triangle's corner does not exist";
+    if (t.minCoeff() < 0 || t.maxCoeff() >= vertices)
+      return "a triangle refers to a vertex that does not exist";
   }
-  return weld_corners(mesh).empty() ? "it has no triangles" : "";
+  return weld_corners(mesh).empty() ? "the mesh has no triangles" : "";
 }
 
 MeshSolid make_mesh_solid(const SceneObject& mesh) {

@@ -16,7 +16,7 @@ int moving_frame(const robot::Robot& robot, int capsule) {
 
 std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
   const auto allowed = [&robot](int i, int j) {
-    return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(),
+    return std::any_of(robot.allowed_collision_pairs.begin(), robot.allowed_collision_pairs.end(),
                        [&](const auto& pair) {
                          return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
                        });

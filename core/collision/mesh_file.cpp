@@ -78,7 +78,7 @@ std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh) 
   }
   if (!std::filesystem::is_regular_file(file)) return file.string() + " cannot be read";
   if (std::filesystem::file_size(file) > kMaxFileSize_bytes) {
-    return file.string() + ": is larger than 200 MB; a mesh that large is to be simplified first";
+    return file.string() + ": is larger than 200 MB; simplify the mesh first";
   }
   mesh.shape = Shape::mesh;
   mesh.size.clear();
@@ -103,11 +103,11 @@ std::string load_mesh(const std::filesystem::path& file, double scale, bool hull
   for (Vec3& vertex : mesh.vertices) vertex *= scale;
   problem = mesh_problem(mesh);
   if (problem.empty() && hull && !replace_by_convex_hull(mesh))
-    problem = "it is flat: it has no hull";
+    problem = "the mesh is flat: it has no convex hull";
   if (problem.empty()) {
     weld(mesh);
     close_holes(mesh, kMaxHoleWidth_m);
-    if (mesh.triangles.empty()) problem = "it is smaller than a micrometre";
+    if (mesh.triangles.empty()) problem = "the mesh is smaller than 1 micrometre";
   }
   return problem.empty() ? "" : file.string() + ": " + problem;
 }

@@ -8,7 +8,7 @@ namespace morphe::collision {
 
 PairSeparation MotionPairs::pair_of(std::size_t number) const {
   PairSeparation pair;
-  pair.required_distance_m = world.tolerances.margin;
+  pair.required_distance_m = world.tolerances.required_clearance;
   if (number < world.pairs.size()) {
     pair.capsule = world.pairs[number][0];
     pair.other = world.pairs[number][1];

@@ -35,7 +35,8 @@ std::string read_binary(std::string_view bytes, SceneObject& mesh) {
   std::memcpy(&count, bytes.data() + kHeader, sizeof count);
   bytes.remove_prefix(kHeader + sizeof count);
   if (bytes.size() / kFacet < count)
-    return fmt::format("claims {} facets, and ends after {}", count, bytes.size() / kFacet);
+    return fmt::format("the header states {} facets, but the file has only {}", count,
+                       bytes.size() / kFacet);
   for (std::uint32_t k = 0; k < count; ++k) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       float at[3];
@@ -76,17 +77,17 @@ std::string read_text(std::string_view text, SceneObject& mesh) {
     if (word == "solid" || word == "endsolid") {
       words.rest.remove_prefix(std::min(words.rest.find('\n'), words.rest.size()));
     } else if (word == "endfacet" && mesh.vertices.size() % 3 != 0) {
-      return fmt::format("line {}: a facet has not three corners", words.line);
+      return fmt::format("line {}: a facet must have 3 corners", words.line);
     } else if (word == "vertex") {
       float corner[3];
       for (float& value : corner) {
         if (!read_number(words.next(), value))
-          return fmt::format("line {}: a corner needs three numbers", words.line);
+          return fmt::format("line {}: a corner needs 3 numbers", words.line);
       }
       add_corner(corner, mesh);
     }
   }
-  return mesh.vertices.size() % 3 == 0 ? "" : "ends in the middle of a facet";
+  return mesh.vertices.size() % 3 == 0 ? "" : "the file ends within a facet";
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ template <class Required, class Visit>
 void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const double& limit,
                 Required required, Visit visit) {
   PairSeparation pair;
-  pair.required_distance_m = world.tolerances.margin;
+  pair.required_distance_m = world.tolerances.required_clearance;
   // The last capsule, and the group that was tested for it.
   std::size_t of = kNoBody, row = kNoBody;
   bool beside = false;
@@ -79,7 +79,8 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
       const CollisionScratch::BoundingSphere& group = scratch.groups[i / kCapsuleGroup];
       scratch.near_group.clear();
       for (std::size_t k = 0; k < objects; ++k) {
-        if (sphere_slack_bound(world, scratch, group, k, world.tolerances.margin) < limit) {
+        if (sphere_slack_bound(world, scratch, group, k, world.tolerances.required_clearance) <
+            limit) {
           scratch.near_group.push_back(k);
         }
       }
@@ -127,13 +128,14 @@ bool may_touch(const CollisionWorld& world, int capsule, int object, double time
 
 double allowed_contact_depth_m(const CollisionWorld& world, int capsule) {
   const Tolerances& allowed = world.tolerances;
-  return robot::is_pad(*world.robot, capsule) ? allowed.contact_depth
-                                              : allowed.link_depth.value_or(allowed.contact_depth);
+  return robot::is_pad(*world.robot, capsule)
+             ? allowed.max_penetration
+             : allowed.max_link_penetration.value_or(allowed.max_penetration);
 }
 
 double required_distance_m(const CollisionWorld& world, int capsule, int object, double time_s) {
   return may_touch(world, capsule, object, time_s) ? -allowed_contact_depth_m(world, capsule)
-                                                   : world.tolerances.margin;
+                                                   : world.tolerances.required_clearance;
 }
 
 void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
@@ -231,7 +233,7 @@ void near_pairs(const CollisionWorld& world, double time_s, double below_m,
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch) {
   update_bodies(world, q, time_s, scratch);
-  const double margin_m = world.tolerances.margin;
+  const double margin_m = world.tolerances.required_clearance;
   double least_m = kInfinity, limit = kInfinity;  // limit = least_m - margin_m
   visit_near(
       world, scratch, limit,

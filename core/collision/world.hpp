@@ -25,10 +25,10 @@ struct AttachedTarget {
 
 /// The collision world of one movement, in the robot's base frame. Robot and scene must outlive it.
 /// It checks all pairs of capsules except the allowed ones, and every capsule against every object.
-/// A capsule that may touch the target may penetrate it by `contact_depth` (a capsule without a pad
-/// by `link_depth`, if given) while contact is allowed (preshape to release, boundaries included).
-/// Objects have their recorded poses, and so has the target in the hand unless attach_target() has
-/// set the time at which the hand grasps it.
+/// A capsule that may touch the target may penetrate it by `max_penetration` (a capsule without a
+/// pad by `max_link_penetration`, if given) while contact is allowed (preshape to release,
+/// boundaries included). Objects have their recorded poses, and so has the target in the hand
+/// unless attach_target() has set the time at which the hand grasps it.
 struct CollisionWorld {
   const robot::Robot* robot = nullptr;
   const Scene* scene = nullptr;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/config/node.hpp"
+#include "core/config/renamed_keys.hpp"
 #include "core/motion/enum_names.hpp"
 
 namespace morphe::config {
@@ -101,7 +102,11 @@ class FieldReader {
   static void read(const ConfigNode& n, E& value) {
     const std::string word = n.text();
     const std::optional<E> known = enum_from_name<E>(word);
-    if (!known) n.fail(fmt::format("must be {}, not '{}'", list_names<E>(), word));
+    if (!known) {
+      constexpr auto names = names_of(E{});
+      n.fail(fmt::format("must be {}, not '{}'{}", list_names<E>(), word,
+                         renaming_hint(word, {names.begin(), names.end()})));
+    }
     value = *known;
   }
   template <class T>

@@ -14,6 +14,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/config/renamed_keys.hpp"
 #include "core/config/spelling_hint.hpp"
 #include "core/files/printable.hpp"
 
@@ -61,8 +62,8 @@ YAML::Node parse_single_document(const std::string& text, const std::string& lab
   YAML::Parser parser(stream);
   ContentDetector first, second;
   if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.has_content)
-    throw InputError(
-        fmt::format("{}:{}: a second document begins: there may be one", label, second.line));
+    throw InputError(fmt::format("{}:{}: a second YAML document begins; only one is allowed", label,
+                                 second.line));
   return YAML::Load(text);
 }
 
@@ -161,12 +162,12 @@ struct ConfigNode::Value {
     value->file = label;
     value->origin = fmt::format("{}:{}", label, value->line);
     if (budget.depth == 0) {
-      throw InputError(fmt::format("{}: is nested deeper than {} levels, or holds itself",
+      throw InputError(fmt::format("{}: is nested deeper than {} levels, or contains itself",
                                    value->origin, kMaxNestingDepth));
     }
     if (budget.values == 0) {
       throw InputError(
-          fmt::format("{}: the document holds more than {} values", value->origin, kMaxValueCount));
+          fmt::format("{}: the document has more than {} values", value->origin, kMaxValueCount));
     }
     --budget.values;
     --budget.depth;
@@ -182,7 +183,7 @@ struct ConfigNode::Value {
         const std::string key = entry.first.as<std::string>();
         const int line = entry.first.Mark().line + 1;
         if (value->find(key)) {
-          throw InputError(fmt::format("{}:{}: {}: the key stands twice", label, line,
+          throw InputError(fmt::format("{}:{}: {}: the key appears twice", label, line,
                                        files::make_printable(key)));
         }
         auto child = convert(entry.second, label, budget);
@@ -205,6 +206,14 @@ namespace {
 std::string join(const std::string& path, std::string_view key) {
   const std::string shown = files::make_printable(key);
   return path.empty() ? shown : fmt::format("{}.{}", path, shown);
+}
+
+/// Which of the strangers was meant for a key that is missing; "" if none.
+std::string missing_key_hint(std::string_view key, const std::vector<std::string>& strangers) {
+  const std::string former = former_key(key, strangers);
+  if (!former.empty()) return fmt::format("; '{}' is now called '{}'", former, key);
+  const std::string stranger = nearest_word(key, strangers);
+  return stranger.empty() ? "" : fmt::format("; is '{}' a misspelling of it?", stranger);
 }
 
 }  // namespace
@@ -262,10 +271,8 @@ ConfigNode ConfigNode::operator[](std::string_view key) const {
   value_->requested_keys.emplace(key);
   Value* child = value_->find(key);
   if (!child) {
-    const std::string stranger = nearest_word(key, value_->unrequested_keys());
-    throw InputError(
-        fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
-                    stranger.empty() ? "" : fmt::format("; is '{}' meant for it?", stranger)));
+    throw InputError(fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
+                                 missing_key_hint(key, value_->unrequested_keys())));
   }
   child->read = true;
   return {document_, child, join(key_, key)};
@@ -353,7 +360,7 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   std::stringstream path(dotted_path);
   std::vector<std::string> steps;
   for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
-  if (steps.empty()) throw InputError("--set: needs a.b=value");
+  if (steps.empty()) throw InputError("--set: must have the form a.b=value");
   if (steps.size() > static_cast<std::size_t>(kMaxNestingDepth))
     throw InputError(fmt::format("--set: names more than {} levels", kMaxNestingDepth));
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {

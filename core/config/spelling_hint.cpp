@@ -7,6 +7,8 @@
 #include <system_error>
 #include <utility>
 
+#include "core/config/renamed_keys.hpp"
+
 namespace morphe::config {
 namespace {
 
@@ -50,6 +52,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 }
 
 std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates) {
+  std::string renamed = renaming_hint(word, candidates);
+  if (!renamed.empty()) return renamed;
   const std::string meant = nearest_word(word, candidates);
   return meant.empty() ? "" : fmt::format("; did you mean '{}'?", meant);
 }

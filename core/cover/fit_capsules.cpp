@@ -9,6 +9,7 @@
 #include "core/cover/voxels.hpp"
 #include "core/math/random_stream.hpp"
 #include "core/math/rotation.hpp"
+#include "core/math/statistics.hpp"
 
 namespace morphe::cover {
 namespace {
@@ -367,11 +368,8 @@ FitQuality fit_quality(const std::vector<CapsuleBody>& capsules,
   }
   if (off.empty()) return figures;
   std::ranges::sort(off);
-  const auto at = [&](double share) {
-    return off[static_cast<std::size_t>(share * static_cast<double>(off.size() - 1))];
-  };
-  figures.standoff_median_m = at(0.5);
-  figures.standoff_95_m = at(0.95);
+  figures.standoff_median_m = math::lower_quantile(off, 0.5);
+  figures.standoff_95_m = math::lower_quantile(off, 0.95);
   figures.near_share = static_cast<double>(std::ranges::upper_bound(off, 0.005) - off.begin()) /
                        static_cast<double>(off.size());
   return figures;

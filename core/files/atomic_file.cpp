@@ -41,7 +41,8 @@ int create_exclusively(const std::filesystem::path& part) {
     if (errno != EEXIST) return -1;
     struct stat found {};
     if (::lstat(part.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
-      throw InputError(fmt::format("{}: is in the way, and is no file", part.string()));
+      throw InputError(
+          fmt::format("{}: exists and is not a regular file; remove it", part.string()));
     ::unlink(part.c_str());
   }
   return -1;
@@ -54,9 +55,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, Disk& disk)
   struct stat found {};
   if (::stat(target_.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
     throw InputError(fmt::format("{}: cannot be written: is {}", target_.string(),
-                                 S_ISDIR(found.st_mode) ? "a folder"
-                                                        : "no file but a device, pipe "
-                                                          "or socket"));
+                                 S_ISDIR(found.st_mode) ? "a folder" : "a device, pipe or socket"));
   descriptor_ = create_exclusively(part_);
   if (descriptor_ < 0) fail(target_);
   ::fstat(descriptor_, &found);
@@ -90,7 +89,8 @@ void AtomicFile::write(const std::string& text) {
 }
 
 void AtomicFile::commit() {
-  if (!is_ours()) throw InputError(fmt::format("{}: another process writes it", target_.string()));
+  if (!is_ours())
+    throw InputError(fmt::format("{}: another process is writing it", target_.string()));
   sync(part_, *disk_);
   if (disk_->rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
   committed_ = true;
@@ -101,7 +101,8 @@ void AtomicFile::commit() {
 void expect_not_input(const std::filesystem::path& out, const std::filesystem::path& input) {
   std::error_code error;
   if (!out.empty() && std::filesystem::equivalent(out, input, error) && !error)
-    throw InputError(fmt::format("{}: is read here, and would be replaced", out.string()));
+    throw InputError(
+        fmt::format("{}: is an input file; writing it would replace it", out.string()));
 }
 
 void write_atomically(const std::filesystem::path& file, const std::string& text) {

@@ -33,11 +33,12 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
   if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
   CsvText csv{file.string(), {}, {}, separator};
   if (text.find('\0') != std::string::npos) {
-    throw InputError(fmt::format("{}: holds bytes of zero: no text, or not in UTF-8", csv.file));
+    throw InputError(
+        fmt::format("{}: contains null bytes: not a text file, or not UTF-8", csv.file));
   }
   if (!is_utf8(text)) {
     text = utf8_from_latin1(text);
-    csv.notes.push_back("its text is not UTF-8: taken as ISO 8859-1");
+    csv.notes.push_back("the text is not UTF-8; assumed ISO 8859-1");
   }
   std::set<std::string_view> line_ends;
   std::string_view rest = text;
@@ -50,7 +51,7 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
     if (!end.empty()) line_ends.insert(end);
     rest.remove_prefix(end.size());
   }
-  if (line_ends.size() > 1) csv.notes.push_back("its lines end in different ways; all were taken");
+  if (line_ends.size() > 1) csv.notes.push_back("mixed line endings; all are accepted");
   while (!csv.lines.empty() && csv.is_blank(csv.lines.size())) csv.lines.pop_back();
   return csv;
 }

@@ -112,7 +112,7 @@ struct ValueReader {
     for (std::size_t b = at; b < at + header.item_size; b += 4) {
       const std::uint64_t point = bits(b, 4);
       if (point > 0x10FFFF || (point >= 0xD800 && point < 0xE000)) {
-        fail("is damaged: it holds what is no character");
+        fail("is damaged: the text has an invalid character");
       }
       append_utf8(static_cast<std::uint32_t>(point), text);
     }

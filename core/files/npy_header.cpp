@@ -22,7 +22,7 @@ struct HeaderParser {
   const NpyErrorHandler& fail;
 
   [[noreturn]] void fail_malformed() const {
-    fail("is damaged: its header is none of numpy's");
+    fail("is damaged: the numpy header is invalid");
     throw 0;  // not reached
   }
   bool take(std::string_view word) {
@@ -71,10 +71,10 @@ struct HeaderParser {
 void read_type(std::string_view type, NpyHeader& header, const NpyErrorHandler& fail) {
   const std::string said(type);
   if (type.size() >= 2 && type[1] == 'O') {
-    fail("holds Python objects: save it again as plain numbers or text (no dtype=object)");
+    fail("contains Python objects; save it again as plain numbers or text (no dtype=object)");
   }
   if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) {
-    fail(fmt::format("is of type '{}', which is not read", said));
+    fail(fmt::format("has the unsupported type '{}'", said));
   }
   std::size_t size = 0;
   const char* const end = type.data() + type.size();
@@ -86,8 +86,8 @@ void read_type(std::string_view type, NpyHeader& header, const NpyErrorHandler& 
                      (kind == 'f' && (size == 2 || size == 4 || size == 8)) ||
                      ((kind == 'U' || kind == 'S') && size <= kMaxValueCount);
   if (!sized || !known) {
-    fail(fmt::format("is of type '{}'; whole numbers, numbers of 2, 4 or 8 bytes and text are read",
-                     said));
+    fail(fmt::format(
+        "has the unsupported type '{}'; use integers, floats of 2, 4 or 8 bytes, or text", said));
   }
   header.kind = kind;
   header.item_size = kind == 'U' ? 4 * size : size;
@@ -107,14 +107,14 @@ std::size_t element_count(const std::vector<std::size_t>& shape, const NpyErrorH
 }  // namespace
 
 NpyHeader read_npy_header(std::string_view bytes, const NpyErrorHandler& fail) {
-  if (!bytes.starts_with(kMagic)) fail("is no .npy file");
+  if (!bytes.starts_with(kMagic)) fail("is not a .npy file");
   if (bytes.size() < kMagic.size() + 4) fail("ends within its header");
   const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
-  if (version < 1 || version > 3) fail(fmt::format("is of version {} of .npy", version));
+  if (version < 1 || version > 3) fail(fmt::format("has the unsupported .npy version {}", version));
   const std::size_t size_bytes = version == 1 ? 2 : 4, begin = kMagic.size() + 2 + size_bytes;
   if (bytes.size() < begin) fail("ends within its header");
   const std::size_t length = read_little_endian(bytes, kMagic.size() + 2, size_bytes);
-  if (length > kMaxHeader_bytes) fail("has a header that is too long");
+  if (length > kMaxHeader_bytes) fail("the header is too long");
   if (bytes.size() - begin < length) fail("ends within its header");
 
   NpyHeader header;
@@ -127,7 +127,8 @@ NpyHeader read_npy_header(std::string_view bytes, const NpyErrorHandler& fail) {
     const std::string_view key = literal.parse_string();
     literal.expect(":");
     if (key == "descr" && !type) {
-      if (literal.take("[")) fail("holds structures: save each of their fields by itself");
+      if (literal.take("["))
+        fail("contains structured values; save each field as an array of its own");
       type = literal.parse_string();
     } else if (key == "fortran_order" && !has_order) {
       has_order = true;
@@ -149,7 +150,7 @@ NpyHeader read_npy_header(std::string_view bytes, const NpyErrorHandler& fail) {
   header.count = element_count(header.shape, fail);
   const std::size_t held = bytes.size() - header.data_offset;
   if (header.item_size > 0 && header.count > held / header.item_size) {
-    fail(fmt::format("ends too early: {} bytes of values, where {} values have {} bytes each", held,
+    fail(fmt::format("ends too early: {} bytes of data for {} values of {} bytes each", held,
                      header.count, header.item_size));
   }
   return header;

@@ -44,7 +44,7 @@ NpzFile read_npz(const std::filesystem::path& file) {
   NpzFile npz{file.string(), {}};
   for (const ZipMember& member : unzip(bytes_of(file), npz.file)) {
     if (!member.name.ends_with(kNpyExtension))
-      npz.fail(member.name, "is no array: its name lacks .npy");
+      npz.fail(member.name, "is not an array: its name does not end in .npy");
     const std::string key = member.name.substr(0, member.name.size() - kNpyExtension.size());
     npz.arrays.push_back(read_npy(member.bytes, npz.file, key));
   }

@@ -57,13 +57,13 @@ std::string exit_error(int status, const Limits& limits) {
       case kExitOutOfMemory:
         return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
       default:
-        return "the library that reads it fails on it";
+        return "the library that reads it fails";
     }
   }
   const int signal = WTERMSIG(status);
   if (signal == SIGXCPU || signal == SIGKILL)
-    return fmt::format("reading it does not end within {} s", limits.seconds);
-  return fmt::format("the library that reads it ends in '{}' on it", ::strsignal(signal));
+    return fmt::format("reading it takes more than {} s", limits.seconds);
+  return fmt::format("the library that reads it crashes ({})", ::strsignal(signal));
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::string child_read_error(const std::filesystem::path& file, const std::funct
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   const Limits limits = limits_for(error ? 0 : bytes);
   const pid_t child = ::fork();
-  if (child < 0) return fmt::format("no process can be made for it: {}", std::strerror(errno));
+  if (child < 0) return fmt::format("cannot start a process to read it: {}", std::strerror(errno));
   if (child == 0) read_and_exit(read, limits);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {

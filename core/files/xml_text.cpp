@@ -16,11 +16,11 @@ namespace {
 std::string error_text(const tinyxml2::XMLDocument& document) {
   switch (document.ErrorID()) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "it is empty";
+      return "the file is empty";
     case tinyxml2::XML_ERROR_PARSING:
-      return "an element has no end";
+      return "an element is not closed";
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "an element has the end of another";
+      return "an element is closed by the end tag of another";
     case tinyxml2::XML_ERROR_PARSING_ELEMENT:
       return "an element cannot be read";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:

@@ -71,9 +71,9 @@ Directory find_directory(const Archive& archive) {
     end = at;
     break;
   }
-  if (end == size) archive.fail("is no whole zip archive: it ends without its directory");
+  if (end == size) archive.fail("is not a complete zip archive: its directory is missing");
   if (archive.number(end + 4, 2) % kZip64Marker16 != 0)
-    archive.fail("is a part of a divided zip archive");
+    archive.fail("is one part of a split zip archive");
   Directory directory{archive.number(end + 16, 4), archive.number(end + 12, 4),
                       archive.number(end + 10, 2)};
   const bool large = directory.at == kZip64Marker32 || directory.size == kZip64Marker32 ||
@@ -133,7 +133,7 @@ std::vector<Entry> read_directory(const Archive& archive) {
 
 std::string inflate_member(const Archive& archive, const Entry& entry, std::string_view packed) {
   if (entry.uncompressed_size > kMaxDeflateRatio * (entry.compressed_size + 1)) {
-    archive.fail(entry.name, "is damaged: it cannot unpack to the size that is said");
+    archive.fail(entry.name, "is damaged: its stated unpacked size is impossible");
   }
   std::string bytes(entry.uncompressed_size, '\0');
   z_stream stream{};
@@ -145,7 +145,7 @@ std::string inflate_member(const Archive& archive, const Entry& entry, std::stri
   const int status = inflate(&stream, Z_FINISH);
   const bool whole = status == Z_STREAM_END && stream.avail_out == 0 && stream.avail_in == 0;
   inflateEnd(&stream);
-  if (!whole) archive.fail(entry.name, "is damaged: it does not unpack");
+  if (!whole) archive.fail(entry.name, "is damaged: it cannot be unpacked");
   return bytes;
 }
 
@@ -157,8 +157,10 @@ std::uint64_t checksum_of(std::string_view bytes) {
 ZipMember unpack(const Archive& archive, const Entry& entry) {
   if ((entry.flags & kEncryptedFlag) != 0) archive.fail(entry.name, "is encrypted");
   if (entry.method != kStored && entry.method != kDeflated) {
-    archive.fail(entry.name,
-                 fmt::format("is packed by method {}; stored and deflated are read", entry.method));
+    archive.fail(
+        entry.name,
+        fmt::format("uses the compression method {}; only stored and deflated are supported",
+                    entry.method));
   }
   if (archive.number(entry.at, 4) != kLocalSignature) archive.fail_damaged();
   const std::uint64_t name = archive.number(entry.at + 26, 2);
@@ -198,10 +200,10 @@ std::vector<ZipMember> unzip(std::string_view bytes, const std::string& file) {
   std::set<std::string_view> names;
   std::uint64_t total = 0;
   for (const Entry& entry : entries) {
-    if (!names.insert(entry.name).second) archive.fail(entry.name, "stands twice");
+    if (!names.insert(entry.name).second) archive.fail(entry.name, "appears twice");
     if (entry.uncompressed_size > kMaxUnpacked_bytes ||
         (total += entry.uncompressed_size) > kMaxUnpacked_bytes) {
-      archive.fail(entry.name, "unpacks to more than 1 GiB, with those before it");
+      archive.fail(entry.name, "makes the archive unpack to more than 1 GiB");
     }
   }
   std::vector<ZipMember> members;

@@ -65,13 +65,13 @@ SensorOffsets sensor_offsets(const Streams& calibration, std::vector<std::string
   for (std::size_t k = 0; k < sensors.names.size(); ++k) {
     const std::string& name = sensors.names[k];
     const auto refuse = [&](const std::string& why) {
-      problems.push_back("calibration pose: " + why + ": the sensor " + name + " has no offset");
+      problems.push_back("calibration pose: " + why + "; sensor " + name + " gets no offset");
     };
     const Vec3 position = mean_point(column_of(sensors.position, k));
     const Quat orientation = mean_rotation(column_of(sensors.orientation, k));
     const Vec3 joint = digitised_point(calibration.markers, name);
     if (!is_known(position) || !is_known(orientation)) {
-      refuse("it was never seen whole");
+      refuse("position and orientation were never both recorded");
       continue;
     }
     if (!is_known(joint)) {
@@ -81,7 +81,7 @@ SensorOffsets sensor_offsets(const Streams& calibration, std::vector<std::string
     Quat segment = orientation;
     if (name == "wrist") segment = world_from_hand(calibration.markers);
     if (!is_known(segment)) {
-      refuse("middle_mcp, index_mcp and little_mcp do not give the hand's axes");
+      refuse("the hand's axes cannot be computed from middle_mcp, index_mcp and little_mcp");
       continue;
     }
     offsets.sensors.push_back(name);

@@ -39,7 +39,7 @@ struct Builder {
   void tip(std::size_t finger, int middle_joint, int last, double distal) {
     const std::string name = kFingerNames[finger];
     hand.tips.push_back({name + "_tip", last, translation(0, 0, distal), static_cast<int>(finger)});
-    hand.centres.push_back({middle_joint, name});
+    hand.joint_centres.push_back({middle_joint, name});
   }
 };
 
@@ -100,7 +100,7 @@ RobotModel human_hand(const HandSize& size) {
 
 HandPoints hand_points(const RobotModel& hand, const HandAngles& angles,
                        std::vector<Pose>& frames) {
-  assert(hand.joints() == kHandAngles + 1);
+  assert(hand.joints() == kHandAngleCount + 1);
   Eigen::Matrix<double, static_cast<int>(kHandAngleCount) + 1, 1> q;
   std::copy(angles.joint.begin(), angles.joint.end(), q.data());
   q[kPalmArch] = angles.palm_arch;
@@ -112,7 +112,7 @@ HandPoints hand_points(const RobotModel& hand, const HandAngles& angles,
     points.tip[finger] = last * tip.transform.translation();
     points.tip_orientation[finger] = Quat(last.linear());
     points.middle_joint[finger] =
-        frames[static_cast<std::size_t>(hand.centres[finger].frame)].translation();
+        frames[static_cast<std::size_t>(hand.joint_centres[finger].frame)].translation();
   }
   return points;
 }

@@ -36,10 +36,10 @@ void CustomTerms::add(const RobotState& state, const FrameGoal& goal, double sha
     entry.term->residuals(posture, r, jacobian);
     if (jacobian.rows() != r.size() || jacobian.cols() != state.q.size() || !r.allFinite() ||
         !jacobian.allFinite()) {
-      throw InputError(fmt::format(
-          "term '{}': {} residuals with a Jacobian [{}, {}] for {} joints; they must be [k] and "
-          "[k, n], and finite",
-          entry.name, r.size(), jacobian.rows(), jacobian.cols(), state.q.size()));
+      throw InputError(
+          fmt::format("term '{}': {} residuals and a Jacobian [{}, {}] for {} joints; must be [k] "
+                      "and [k, n], all finite",
+                      entry.name, r.size(), jacobian.rows(), jacobian.cols(), state.q.size()));
     }
     const double weighted = share * entry.weight;
     model.value += weighted * r.squaredNorm();

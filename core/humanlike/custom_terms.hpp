@@ -39,7 +39,7 @@ std::string validation_error(const CustomTerm& options);
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, CustomTerms& o) {
-  f("terms", o.entries);
+  f("custom_terms", o.entries);
 }
 
 /// Assigns the provided terms to the entries by name; returns the first name that is not provided,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <type_traits>
 #include <vector>
 
 #include "core/motion/plan.hpp"
@@ -55,7 +57,7 @@ void fields(Fields& f, FrameWeights& o) {
 struct FrameGoal {
   std::vector<Vec3> tip_position;              ///< [m]
   std::vector<Quat> tip_orientation;           ///< [m]
-  std::vector<double> pad_share;               ///< [m] as Goals::pad_share, or empty
+  std::vector<double> tip_to_pad_share;        ///< [m] as Goals::tip_to_pad_share, or empty
   std::vector<Vec3> pad_normal;                ///< [m] unit, inwards, for pads in contact; or empty
   std::vector<std::uint8_t> closes_by_itself;  ///< [m] as Goals::closed, or empty
   Quat hand = unknown_rotation();              ///< base_from_hand
@@ -77,7 +79,9 @@ struct FrameGoal {
   FrameWeights weights;
 
   /// Returns the pad share of a tip's goal, 0 if there are no pad shares.
-  double pad_share_of(std::size_t tip) const { return pad_share.empty() ? 0 : pad_share[tip]; }
+  double tip_to_pad_share_of(std::size_t tip) const {
+    return tip_to_pad_share.empty() ? 0 : tip_to_pad_share[tip];
+  }
   /// Returns the number of tips with a recorded goal, which determine the pose of the hand. Fingers
   /// that close by themselves are not counted.
   int recorded_tip_count() const {
@@ -97,7 +101,35 @@ struct FrameGoal {
   bool has_arm_goal() const { return is_known(shoulder) && is_known(elbow) && is_known(wrist); }
 };
 
-/// Returns the goals of one frame.
+/// Calls f for each measured quantity of a goal, which may be const: f(Vec3&) for points [m] and
+/// unit normals, f(Quat&) for rotations, f(double&) for shares and angles [rad]; not for
+/// closes_by_itself, hand_scale and weights. A member that is added to FrameGoal does not compile
+/// until it is named here, among those that are visited or not.
+template <class Goal, class F>
+requires std::same_as<std::remove_const_t<Goal>, FrameGoal>
+void for_each_quantity(Goal& goal, const F& f) {
+  auto& [tip_position, tip_orientation, tip_to_pad_share, pad_normal, closes_by_itself, hand,
+         shoulder, elbow, wrist, finger_joint, interpolated_finger_joint, chain, angles, hand_scale,
+         weights] = goal;
+  const auto each = [&f](auto& values) {
+    for (auto& value : values) f(value);
+  };
+  each(tip_position);
+  each(tip_orientation);
+  each(tip_to_pad_share);
+  each(pad_normal);
+  f(hand);
+  f(shoulder);
+  f(elbow);
+  f(wrist);
+  each(finger_joint);
+  each(interpolated_finger_joint);
+  each(chain);
+  each(angles);
+}
+
+/// Returns the goal of one frame: what `goals` hold of it. Angles, chain, pad normals, curve points
+/// and weights are left empty or at their defaults.
 FrameGoal frame_goal(const Goals& goals, std::size_t frame);
 
 }  // namespace morphe::humanlike

@@ -1,10 +1,9 @@
 #include "core/humanlike/hull.hpp"
 
-#include <libqhull_r/qhull_ra.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <utility>
+
+#include "core/math/convex_hull_3d.hpp"
 
 namespace morphe::humanlike {
 namespace {
@@ -43,37 +42,18 @@ std::vector<Facet> hull_facets(const std::vector<Vec3>& points) {
   const std::vector<std::size_t> corners = distinct(points);
   if (corners.size() < 4) return {};
   if (corners.size() == 4) return tetrahedron(points, corners);
-  std::vector<double> coordinates;
-  for (const std::size_t corner : corners) {
-    coordinates.insert(coordinates.end(), points[corner].begin(), points[corner].end());
-  }
-  std::FILE* silence = std::fopen("/dev/null", "w");
-  qhT hull;
-  qhT* qh = &hull;  // name required by qhull's macros
-  qh_zero(qh, silence);
-  char command[] = "qhull Qt";
+  std::vector<Vec3> distinct_points;
+  for (const std::size_t corner : corners) distinct_points.push_back(points[corner]);
   std::vector<Facet> facets;
-  // Quickhull fails for coplanar sets, which have no facets in space.
-  if (!qh_new_qhull(qh, 3, static_cast<int>(corners.size()), coordinates.data(), 0, command,
-                    silence, silence)) {
-    facetT* facet;
-    FORALLfacets {
-      std::vector<std::size_t> corner;
-      vertexT *vertex, **vertexp;
-      FOREACHvertex_(facet->vertices) {
-        corner.push_back(corners[static_cast<std::size_t>(qh_pointid(qh, vertex->point))]);
-      }
-      const Vec3 outwards(facet->normal[0], facet->normal[1], facet->normal[2]);
-      const Vec3 normal =
-          (points[corner[1]] - points[corner[0]]).cross(points[corner[2]] - points[corner[0]]);
-      if (normal.dot(outwards) < 0) std::swap(corner[1], corner[2]);
-      facets.push_back({corner[0], corner[1], corner[2]});
-    }
+  // Coplanar sets have no facets in space.
+  for (const math::HullTriangle& triangle : math::convex_hull_3d(std::move(distinct_points))) {
+    Facet facet;
+    for (std::size_t k = 0; k < 3; ++k) facet[k] = corners[triangle.corners[k]];
+    const Vec3 normal =
+        (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]);
+    if (normal.dot(triangle.outwards) < 0) std::swap(facet[1], facet[2]);
+    facets.push_back(facet);
   }
-  qh_freeqhull(qh, !qh_ALL);
-  int current = 0, total = 0;
-  qh_memfreeshort(qh, &current, &total);
-  if (silence) std::fclose(silence);
   return facets;
 }
 

@@ -106,7 +106,7 @@ void add_derivatives(const RobotModel& robot, const std::vector<Pose>& base_from
     const Pose& pose = base_from_frame[i];
     const Vec3 axis = frame.axis.z() == 1 ? Vec3(frame.ratio * pose.linear().col(2))
                                           : Vec3(frame.ratio * (pose.linear() * frame.axis));
-    if (frame.slides) {
+    if (frame.prismatic) {
       sweep.twist[i] << Vec3::Zero(), axis;
     } else {
       sweep.twist[i] << axis, pose.translation().cross(axis);

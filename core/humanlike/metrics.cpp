@@ -37,8 +37,6 @@ double triangle_area_sum(const Chain& human, const Chain& robot) {
   return sum;
 }
 
-double hull_volume(const std::vector<Vec3>& points) { return hull_gradient(points).value; }
-
 double hull_volume_sum(const Chain& human, const Chain& robot) {
   return hull_volume_gradient(human, robot).value;
 }

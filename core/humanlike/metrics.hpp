@@ -27,8 +27,4 @@ double triangle_area_sum(const Chain& human, const Chain& robot);
 /// fewer than two centres in a set besides the shared shoulder, such as the PA10.
 double hull_volume_sum(const Chain& human, const Chain& robot);
 
-/// Computes the volume of the convex hull of points [m³]: by a determinant for four, by Quickhull
-/// for more, 0 if they are coplanar.
-double hull_volume(const std::vector<Vec3>& points);
-
 }  // namespace morphe::humanlike

@@ -9,7 +9,7 @@ void PadDirection::add(const RobotState& state, const FrameGoal& goal, double sh
     const int frame = state.robot.tips[i].frame;
     if (!is_known(normal) || frame < 0) continue;
     const Vec3 middle = state.pose_of(frame).linear() * state.robot.pads[i].direction;
-    const double part = share * goal.pad_share_of(i);
+    const double part = share * goal.tip_to_pad_share_of(i);
     loads.value += part * (middle - normal).squaredNorm();
     const bool exact = loads.curvature == Curvature::exact;
     const Vec3& other = exact ? normal : middle;

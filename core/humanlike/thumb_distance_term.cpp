@@ -18,7 +18,8 @@ void add_distance_gradient(const RobotState& state, const RobotModel::Tip& tip, 
 }  // namespace
 
 double ThumbDistance::proximity_weight(double distance_m) const {
-  const double u = std::clamp((distance_m - near_m) / (far_m - near_m), 0.0, 1.0);
+  const double u =
+      std::clamp((distance_m - full_distance_m) / (zero_distance_m - full_distance_m), 0.0, 1.0);
   return 1 - u * u * (3 - 2 * u);
 }
 

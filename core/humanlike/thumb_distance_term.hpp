@@ -13,7 +13,7 @@ namespace morphe::humanlike {
 struct ThumbDistance {
   static constexpr TermGroup kGroup = TermGroup::tip_position;
   double weight = 0;  ///< [1/m²]
-  double near_m = 0.04, far_m = 0.06;
+  double full_distance_m = 0.04, zero_distance_m = 0.06;
   /// Adds the term at a state, multiplied by `share`, to the model.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
@@ -24,8 +24,8 @@ struct ThumbDistance {
 template <class Fields>
 void fields(Fields& f, ThumbDistance& o) {
   f("thumb_distance", o.weight);
-  f("thumb_near", o.near_m);
-  f("thumb_far", o.far_m);
+  f("thumb_full_distance", o.full_distance_m);
+  f("thumb_zero_distance", o.zero_distance_m);
 }
 
 }  // namespace morphe::humanlike

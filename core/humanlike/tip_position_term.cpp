@@ -7,7 +7,7 @@ void TipPosition::add(const RobotState& state, const FrameGoal& goal, double sha
   for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
     if (!is_known(goal.tip_position[i])) continue;
     const Vec3 point =
-        robot::tracked_point(state.robot, state.base_from_frame, i, goal.pad_share_of(i));
+        robot::tracked_point(state.robot, state.base_from_frame, i, goal.tip_to_pad_share_of(i));
     loads.add_point(state.robot.tips[i].frame, point, goal.tip_position[i], share, true);
   }
 }

@@ -36,8 +36,10 @@ struct BrakingRatioSearch {
     const double crude = ratio_of(v.greatest, least);
     if (!(least > 0) || !(v.least >= 0)) return crude;
     const double most = braking_speed_limit(curve, upwards ? least_q : greatest_q, upwards);
-    const double bend_least = curve.slope * v.least * v.least / (2 * (most + curve.drop));
-    const double bend_most = curve.slope * v.greatest * v.greatest / (2 * (least + curve.drop));
+    const double bend_least =
+        curve.twice_deceleration * v.least * v.least / (2 * (most + curve.velocity_offset));
+    const double bend_most =
+        curve.twice_deceleration * v.greatest * v.greatest / (2 * (least + curve.velocity_offset));
     const double slowest = std::min(a.least * least, a.least * most) + bend_least;
     const double fastest = std::max(a.greatest * least, a.greatest * most) + bend_most;
     const double slope = std::max(std::abs(slowest), std::abs(fastest)) / (least * least);
@@ -61,7 +63,8 @@ struct BrakingRatioSearch {
 
 double braking_speed_limit(const RobotModel::BrakingCurve& curve, double q, bool upwards) {
   const double way = upwards ? curve.upper_end - q : q - curve.lower_end;
-  return std::max(0.0, std::sqrt(std::max(0.0, curve.slope * way)) - curve.drop);
+  return std::max(0.0,
+                  std::sqrt(std::max(0.0, curve.twice_deceleration * way)) - curve.velocity_offset);
 }
 
 double braking_ratio(const RobotModel::BrakingCurve& curve, const QuinticPiece& piece,

@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "core/motion/geometry.hpp"
+#include <utility>
 
 namespace morphe::math {
+namespace {
+
+/// Returns x[rank] of values in ascending order.
+double value_at_rank(std::vector<double>& values, std::size_t rank) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+}  // namespace
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return kUnknown;
@@ -14,10 +23,41 @@ double quantile(std::vector<double> values, double share) {
   return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+double lower_quantile(std::vector<double> values, double share) {
+  if (values.empty()) return kUnknown;
+  return value_at_rank(values,
+                       static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
+}
+
+double median(std::vector<double> values) {
+  return values.empty() ? kUnknown : value_at_rank(values, values.size() / 2);
+}
+
+double midpoint_median(std::vector<double> values) {
+  if (values.empty()) return kUnknown;
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+Vec3 median_point(const std::vector<Vec3>& points) {
+  std::vector<double> coordinates[3];
+  for (const Vec3& point : points) {
+    if (!is_known(point)) continue;
+    for (int k = 0; k < 3; ++k) coordinates[k].push_back(point[k]);
+  }
+  Vec3 middle;
+  for (int k = 0; k < 3; ++k) middle[k] = median(std::move(coordinates[k]));
+  return middle;
+}
+
+double median_distance(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const double distance = (to[i] - from[i]).norm();
+    if (std::isfinite(distance)) distances.push_back(distance);
+  }
+  return median(std::move(distances));
 }
 
 double mean(const std::vector<double>& values) {

@@ -31,7 +31,7 @@ struct BodyStream {
   Array2D<Quat> orientation;         ///< [N, S]
   Array2D<double> confidence = {};   ///< [N, S] 0 to 1 as given by the tracker, or no rows
   /// True if the motion was reconstructed; it is then not filtered.
-  bool rebuilt = false;
+  bool reconstructed = false;
 };
 
 /// A stream of joint angles.
@@ -95,7 +95,7 @@ struct Demonstration {
   std::vector<SceneObject> objects;
   std::vector<Label> labels;  ///< ground truth, if the dataset has it
   /// Sentences that say which values the importer assumed, repaired or omitted.
-  std::vector<std::string> reports;
+  std::vector<std::string> import_notes;
 };
 
 }  // namespace morphe

@@ -20,10 +20,10 @@ Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
 }
 
 double pad_share_at(const Goals& goals, std::size_t tip, double time_s) {
-  if (goals.pad_share.rows == 0) return 0;
+  if (goals.tip_to_pad_share.rows == 0) return 0;
   const FrameInterpolation at = frame_interpolation(goals, time_s);
-  return (1 - at.weight) * goals.pad_share(at.before_frame, tip) +
-         at.weight * goals.pad_share(at.after_frame, tip);
+  return (1 - at.weight) * goals.tip_to_pad_share(at.before_frame, tip) +
+         at.weight * goals.tip_to_pad_share(at.after_frame, tip);
 }
 
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
@@ -44,7 +44,7 @@ GoalCount count_goals(const Goals& goals) {
   GoalCount count;
   for (std::size_t k = 0; k < goals.tip_position.values.size(); ++k) {
     if (!is_known(goals.tip_position.values[k])) continue;
-    if (!goals.closed.empty() && goals.closed[k % goals.tip_position.cols] != 0) continue;
+    if (!goals.auto_closed.empty() && goals.auto_closed[k % goals.tip_position.cols] != 0) continue;
     ++count.all;
     count.out_of_reach += goals.reachable.values[k] == 0 ? 1U : 0U;
   }

@@ -20,7 +20,7 @@ FrameInterpolation frame_interpolation(const Goals& goals, double time_s);
 
 /// Returns the position goal of a tip [m].
 Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
-/// Returns the interpolated Goals::pad_share of a tip, or 0 if the goals have no pad shares.
+/// Returns the interpolated Goals::tip_to_pad_share of a tip, or 0 if the goals have no pad shares.
 double pad_share_at(const Goals& goals, std::size_t tip, double time_s);
 /// Returns the orientation goal of a tip, or NaN if the goals have no orientations.
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);

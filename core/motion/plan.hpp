@@ -29,10 +29,10 @@ struct Goals {
   /// [F, m] point of the fingertip link to which the position goal applies: 0 is the tip, 1 the
   /// centre of its pad (robot/pads.hpp), values between them interpolate linearly. Without rows,
   /// all goals apply to the tips.
-  Array2D<double> pad_share;
+  Array2D<double> tip_to_pad_share;
   /// [m] 1 if the goals of this tip close a finger that the person's recording does not show; may
   /// be empty.
-  std::vector<std::uint8_t> closed;
+  std::vector<std::uint8_t> auto_closed;
   Array2D<Quat> tip_orientation;    ///< [F, m]
   Array2D<std::uint8_t> reachable;  ///< [F, m] 1 or 0; meaningless without a goal
   std::vector<Vec3> shoulder_position, elbow_position, wrist_position;  ///< [F]
@@ -43,7 +43,7 @@ struct Goals {
   Vec3 common_base_offset = Vec3::Zero();
   /// Displacement of the robot's base from its configured position, in the world's axes [m]; absent
   /// if the base is not optimised. All goals are given in the frame of the displaced base.
-  std::optional<Vec3> free_offset;
+  std::optional<Vec3> base_offset;
 
   /// Scale factor applied to the human's hand (section `hand`). It is not stored, because it is
   /// already applied to the goals.
@@ -62,12 +62,12 @@ constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
 
 /// The joint path that the mapping computes, with its errors and humanlikeness for each frame.
 struct MappingResult {
-  JointRows position;        ///< [F, n] [rad]
-  JointRows position_error;  ///< [F, m] [m], NaN = no goal
+  JointRows position;   ///< [F, n] [rad]
+  JointRows tip_error;  ///< [F, m] [m], NaN = no goal
   /// [F, m] [m] smallest errors that the tips can attain at the same time for goals that are out of
   /// reach, NaN elsewhere; not stored.
   JointRows least_attainable_error;
-  JointRows orientation_error;      ///< [F, m] full angle [rad], NaN = no goal
+  JointRows tip_orientation_error;  ///< [F, m] full angle [rad], NaN = no goal
   std::vector<double> objective;    ///< [F] value of the frame's objective
   JointRows humanlikeness;          ///< [F, 3] A (sum) [m^2], B [m^2], C [m^3]
   std::vector<FrameStatus> status;  ///< [F]
@@ -75,29 +75,37 @@ struct MappingResult {
 
 /// The cause of a finding: the robot collides with itself, an object or the table; a joint exceeds
 /// a limit or jumps; a tip is too far from its goal.
-enum class Cause : std::uint8_t { jump, limit, object, self, table, tracking };
+enum class Cause : std::uint8_t {
+  jump,
+  joint_limit,
+  object_collision,
+  self_collision,
+  table,
+  tracking
+};
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 6> names_of(Cause) {
-  return {"jump", "limit", "object", "self", "table", "tracking"};
+  return {"jump", "joint_limit", "object_collision", "self_collision", "table", "tracking"};
 }
 /// Returns true if the cause is a collision with the robot itself, an object or the table.
 constexpr bool is_collision(Cause cause) {
-  return cause == Cause::self || cause == Cause::object || cause == Cause::table;
+  return cause == Cause::self_collision || cause == Cause::object_collision ||
+         cause == Cause::table;
 }
 
 /// An interval of a path that cannot be executed.
 struct Finding {
   double begin_s = 0, end_s = 0;  ///< demonstration time
   Cause cause = Cause::jump;
-  std::string first, second;  ///< two capsules, or capsule and object; joint; tip
-  double depth = 0;           ///< amount by which the limit is exceeded [m or rad], > 0
+  std::string subject, other_body;  ///< two capsules, or capsule and object; joint; tip
+  double excess = 0;                ///< amount by which the limit is exceeded [m or rad], > 0
 };
 
 /// The step that computed a sample: mapping, re-solving by inverse kinematics, or path planning.
 enum class SampleOrigin : std::uint8_t { mapped = 0, re_solved = 1, planned = 2 };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 3> names_of(SampleOrigin) {
-  return {"mapped", "re-solved", "planned"};
+  return {"mapped", "re_solved", "planned"};
 }
 
 /// A joint path along a movement; time is only a label of its samples.
@@ -123,10 +131,10 @@ struct Trajectory {
 };
 
 /// The origin of a contact: demonstrated by the person, or made by closing a finger without goals.
-enum class ContactOrigin : std::uint8_t { demonstrated, closed };
+enum class ContactOrigin : std::uint8_t { demonstrated, auto_closed };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 2> names_of(ContactOrigin) {
-  return {"demonstrated", "closed"};
+  return {"demonstrated", "auto_closed"};
 }
 
 /// A contact of a fingertip pad with the target, in the target's frame.
@@ -134,31 +142,33 @@ struct PadContact {
   std::string tip;   ///< name of the robot's tip
   std::string link;  ///< name of the capsule in contact
   ContactOrigin origin = ContactOrigin::demonstrated;
-  Vec3 asked = unknown_point();     ///< surface point that the pad should touch [m]
-  Vec3 point = unknown_point();     ///< surface point nearest to the pad [m]
-  Vec3 normal = unknown_point();    ///< unit normal of the surface at `point`, pointing inwards
-  double gap = kUnknown;            ///< between pad and surface, < 0: penetration [m]
-  double pad_angle = kUnknown;      ///< between the pad's normal and the surface normal [rad]
-  double confidence = 1;            ///< that the person touched the target at this point, 0 to 1
-  double force = kUnknown;          ///< normal force of the squeeze [N]
-  Vec3 friction = unknown_point();  ///< tangential force of the squeeze, in the target's frame [N]
+  Vec3 desired_point = unknown_point();  ///< surface point that the pad should touch [m]
+  Vec3 point = unknown_point();          ///< surface point nearest to the pad [m]
+  Vec3 normal = unknown_point();      ///< unit normal of the surface at `point`, pointing inwards
+  double signed_distance = kUnknown;  ///< between pad and surface, < 0: penetration [m]
+  double pad_angle = kUnknown;        ///< between the pad's normal and the surface normal [rad]
+  double confidence = 1;              ///< that the person touched the target at this point, 0 to 1
+  double normal_force = kUnknown;     ///< normal force of the squeeze [N]
+  Vec3 friction_force =
+      unknown_point();  ///< tangential force of the squeeze, in the target's frame [N]
 };
 
 /// The parameters and results of the grasp quality computation (docs/grasp_quality.md).
 struct GraspQuality {
-  double friction = kUnknown;      ///< coefficient
-  double torsion = kUnknown;       ///< torsional friction [m]
-  double mass = kUnknown;          ///< [kg]
-  Vec3 centre = unknown_point();   ///< of mass, in the target's frame [m]
-  double torque_scale = kUnknown;  ///< [m]
+  double friction_coefficient = kUnknown;   ///< coefficient
+  double torsional_friction = kUnknown;     ///< torsional friction [m]
+  double mass = kUnknown;                   ///< [kg]
+  Vec3 centre_of_mass = unknown_point();    ///< of mass, in the target's frame [m]
+  double characteristic_length = kUnknown;  ///< [m]
   /// Certified bounds of the Ferrari-Canny L1 quality, signed: negative values are minus the
   /// closure residual.
   double epsilon_lower = kUnknown, epsilon_upper = kUnknown;
   /// Sufficient normal force per contact, for the worst direction of gravity [N].
-  double needed_worst = kUnknown;
+  double required_force_worst = kUnknown;
   /// Sufficient normal force per contact, for the actual direction of gravity [N].
-  double needed_down = kUnknown;
-  double given = kUnknown;  ///< smallest of the forces with which the fingers can press [N]
+  double required_force_gravity = kUnknown;
+  double available_force =
+      kUnknown;  ///< smallest of the forces with which the fingers can press [N]
 };
 
 /// Length of the palm's path before the grasp that defines the approach direction [m].
@@ -174,7 +184,7 @@ struct Grasp {
   /// Unit direction in the target's frame along which the palm approached over the last
   /// kApproachLength_m; NaN if the palm was never that far away.
   Vec3 approach_direction = unknown_point();
-  JointVector hand_posture;  ///< all joints at the grasp [n]
+  JointVector grasp_posture;  ///< all joints at the grasp [n]
   /// All joints at the sample at which the hand is widest open [n].
   JointVector pregrasp_posture;
   std::vector<PadContact> contacts;  ///< at `sample`; empty unless contacts are requested
@@ -182,23 +192,23 @@ struct Grasp {
   /// Joint torques of the squeeze, and the posture to command to a servo of the configured
   /// stiffness to produce them. Both are separate from the trajectory and have size [n], or are
   /// empty.
-  JointVector squeeze_torque, squeeze_posture;
+  JointVector grasp_torque, servo_target;
 };
 
 /// Properties that hold for the stored trajectory when a controller executes it.
 struct Certificate {
-  double position_margin = kUnknown;  ///< smallest distance to a joint limit [rad]
+  double joint_limit_margin = kUnknown;  ///< smallest distance to a joint limit [rad]
   double velocity_ratio = kUnknown, acceleration_ratio = kUnknown, jerk_ratio = kUnknown;
   /// Certified lower bound of the motion's minimum clearance, within 0.01 mm [m]; NaN if there is
   /// no pair to check.
   double clearance = kUnknown;
-  double position_error_max = kUnknown, position_error_mean = kUnknown;  ///< over all goals [m]
+  double tip_error_max = kUnknown, tip_error_mean = kUnknown;  ///< over all goals [m]
   /// Largest in grasp and hold [m], NaN if there is no such phase.
-  double position_error_grasp = kUnknown;
+  double tip_error_grasp = kUnknown;
   /// Full angle [rad], NaN if there are no orientation goals.
-  double orientation_error_max = kUnknown;
+  double tip_orientation_error_max = kUnknown;
   double upper_arm_error_mean = kUnknown, upper_arm_error_max = kUnknown;  ///< direction [rad]
-  double tempo = kUnknown;  ///< duration / human duration
+  double duration_ratio = kUnknown;  ///< duration / human duration
   double humanlikeness_mapped = kUnknown, humanlikeness_final = kUnknown;  ///< mean A [m^2]
   /// RMS over joints without goals, of the mapped path [rad].
   double natural_posture_error = kUnknown;
@@ -213,16 +223,17 @@ struct Certificate {
 
 /// The tolerances that the plan must meet; `verify` reads them from the file.
 struct Tolerances {
-  double margin = 0.001;         ///< required clearance [m]
-  double contact_depth = 0.005;  ///< allowed penetration of the target [m]
-  /// Allowed for links without pads; contact_depth if absent [m].
-  std::optional<double> link_depth;
-  double tracking_grasp = 0.005;  ///< distance of tips from their goals in grasp and hold [m]
-  double tracking = 0.020;        ///< likewise in other phases [m]
+  double required_clearance = 0.001;  ///< required clearance [m]
+  double max_penetration = 0.005;     ///< allowed penetration of the target [m]
+  /// Allowed for links without pads; max_penetration if absent [m].
+  std::optional<double> max_link_penetration;
+  double tracking_tolerance_grasp =
+      0.005;                          ///< distance of tips from their goals in grasp and hold [m]
+  double tracking_tolerance = 0.020;  ///< likewise in other phases [m]
   /// A plan is approximate if more goals than this share are out of reach, or a tip is farther from
-  /// its goal than `farthest_tip`.
-  double out_of_reach_share = 0.5;  ///< of all fingertip goals, below 1
-  double farthest_tip = 0.05;       ///< [m]
+  /// its goal than `max_tip_error`.
+  double max_unreachable_share = 0.5;  ///< of all fingertip goals, below 1
+  double max_tip_error = 0.05;         ///< [m]
 };
 
 /// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it can be
@@ -250,12 +261,12 @@ struct Plan {
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
-  WorldFrames world;
+  WorldFrames reference_frames;
   MappingResult mapped;
   std::vector<Finding> findings;  ///< of the mapped path, including those that repair removed
   /// In the order of execution; empty if the mapped path had no finding.
   std::vector<RepairStep> repair;
-  std::vector<Finding> remaining;  ///< findings of `path`, which repair could not remove
+  std::vector<Finding> remaining_findings;  ///< findings of `path`, which repair could not remove
   JointPath path;
   Grasp grasp;
   Trajectory trajectory;  ///< empty if infeasible

@@ -16,7 +16,7 @@ struct PlanRequest {
   std::string config_sha256;
   Tolerances tolerances;
   double goal_step_s = 0.01;  ///< time step between the frames of the goals
-  double limit_share = 1;     ///< factor on the limits of velocity, acceleration and jerk
+  double limit_scaling = 1;   ///< factor on the limits of velocity, acceleration and jerk
   /// The last phase that is planned; absent for parts of movements, or recordings as a whole.
   std::optional<PhaseKind> plan_until;
   std::string carrier_frame;  ///< frame to which the target is attached, "" if it moves as recorded
@@ -25,7 +25,7 @@ struct PlanRequest {
   /// requested.
   struct Home {
     JointVector posture;       ///< [n]
-    double limit_share = 1;    ///< in addition to the factor for the motion
+    double limit_scaling = 1;  ///< in addition to the factor for the motion
     bool with_retreat = true;  ///< true if a retreat is requested too
   };
   std::optional<Home> home;

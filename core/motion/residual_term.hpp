@@ -38,7 +38,7 @@ class ResidualInput {
 
 /// A term of the objective that the calling program provides: weight times the sum of squares of
 /// its residuals r(q), evaluated for each frame. Its position in the objective and its weight are
-/// set in the config: `map.terms: [{name: ..., weight: ...}]`. The mapping uses 2 Jᵀr as its
+/// set in the config: `map.custom_terms: [{name: ..., weight: ...}]`. The mapping uses 2 Jᵀr as its
 /// gradient and 2 JᵀJ as its Hessian, so J must be correct: compare it with finite differences.
 class ResidualTerm {
  public:

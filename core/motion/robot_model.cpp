@@ -7,7 +7,8 @@ namespace morphe {
 
 std::string unchecked_sentence(const std::vector<std::string>& links) {
   if (links.empty()) return "";
-  return fmt::format("no contact of {} is checked: no shape is known", fmt::join(links, ", "));
+  return fmt::format("collisions of {} are not checked: no collision shape given",
+                     fmt::join(links, ", "));
 }
 
 }  // namespace morphe

@@ -28,7 +28,7 @@ struct RobotModel {
     Vec3 axis = Vec3::UnitZ();
     int joint = -1;
     double ratio = 1, offset = 0;
-    bool slides = false;
+    bool prismatic = false;
   };
   /// The limits of a frame that is coupled to a joint, in terms of its own value and its
   /// derivatives; infinite if not bounded. The joint limits below satisfy them.
@@ -42,8 +42,8 @@ struct RobotModel {
   ///  -v <= max(0, sqrt(slope * (q - lower_end)) - drop)   (a negative product counts as 0)
   struct BrakingCurve {
     int joint = 0;
-    double slope = 0;                     ///< twice the deceleration [rad/s^2]
-    double drop = 0;                      ///< [rad/s]
+    double twice_deceleration = 0;        ///< twice the deceleration [rad/s^2]
+    double velocity_offset = 0;           ///< [rad/s]
     double lower_end = 0, upper_end = 0;  ///< [rad]
   };
   /// A fingertip, or the wrist, that has goals.
@@ -55,7 +55,7 @@ struct RobotModel {
     /// For a hand without five fingers: the parameter (0 … 1) of the point that the tip follows on
     /// the curve through the human's index, middle, ring and little tips; `finger` is the nearest
     /// of them.
-    double along = kUnknown;
+    double finger_curve_share = kUnknown;
   };
   /// A joint centre of humanlikeness metric A.
   struct JointCentre {
@@ -81,10 +81,10 @@ struct RobotModel {
   std::vector<Frame> frames;
   std::vector<Tip> tips;
   /// Joint centres of metric A; the first one of the arm is the elbow.
-  std::vector<JointCentre> centres;
+  std::vector<JointCentre> joint_centres;
   std::vector<Capsule> capsules;
   /// Pairs of capsules, i < j, that are not checked for collision.
-  std::vector<std::array<int, 2>> allowed_pairs;
+  std::vector<std::array<int, 2>> allowed_collision_pairs;
   /// Links with geometry but without a capsule; they are not checked for contact.
   std::vector<std::string> unchecked_links;
   int shoulder_frame = 0;  ///< frame whose origin is the robot's shoulder
@@ -97,7 +97,7 @@ struct RobotModel {
   /// Returns the number of actuated joints.
   std::size_t joints() const { return joint_names.size(); }
   /// Returns true if some frame is prismatic.
-  bool has_prismatic_joint() const { return std::ranges::any_of(frames, &Frame::slides); }
+  bool has_prismatic_joint() const { return std::ranges::any_of(frames, &Frame::prismatic); }
 };
 
 /// Returns a sentence that lists the links that are not checked for contact, "" if there are no

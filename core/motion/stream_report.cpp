@@ -34,13 +34,13 @@ StreamReport report_stream(const std::string& name, const std::vector<double>& t
       const double length_s = time[row] - time[first] + 1 / report.rate_hz;
       if (length_s <= report.longest_gap_s) continue;
       report.longest_gap_s = length_s;
-      report.longest_gap_of = columns[column];
+      report.longest_gap_column = columns[column];
     }
-    if (column_valid_count == 0) report.unseen.push_back(columns[column]);
+    if (column_valid_count == 0) report.empty_columns.push_back(columns[column]);
     valid_count += column_valid_count;
   }
   const std::size_t all = time.size() * columns.size();
-  report.seen = all == 0 ? 0 : static_cast<double>(valid_count) / static_cast<double>(all);
+  report.valid_share = all == 0 ? 0 : static_cast<double>(valid_count) / static_cast<double>(all);
   return report;
 }
 

@@ -14,11 +14,11 @@ namespace morphe {
 struct StreamReport {
   std::string name;
   double begin_s = 0, duration_s = 0, rate_hz = 0;
-  double seen = 0;  ///< share of its values that are present
+  double valid_share = 0;  ///< share of its values that are present
   std::size_t columns = 0, gaps = 0;
   double longest_gap_s = 0;
-  std::string longest_gap_of;       ///< the column, "" if there is no gap
-  std::vector<std::string> unseen;  ///< columns that were never observed
+  std::string longest_gap_column;          ///< the column, "" if there is no gap
+  std::vector<std::string> empty_columns;  ///< columns that were never observed
 };
 /// Returns the statistics of all streams of a demonstration or of its calibration.
 MORPHE_EXPORT std::vector<StreamReport> report_streams(const Streams& streams);

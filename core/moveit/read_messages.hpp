@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/config/node.hpp"
-#include "core/moveit/problem.hpp"
+#include "core/motion/scene.hpp"
 
 namespace morphe::moveit {
 
@@ -41,10 +41,5 @@ SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from
 std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose& base_from_owner);
 /// Reads world.collision_objects.
 Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames);
-
-/// Reads the goal_constraints of a request.
-std::vector<PlanningGoal> read_goals(const config::ConfigNode& request,
-                                     const robot::RobotDescription& robot,
-                                     const FixedFrames& frames);
 
 }  // namespace morphe::moveit

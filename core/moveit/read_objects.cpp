@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/moveit/planning_scene.hpp"
 #include "core/moveit/read_messages.hpp"
 
 namespace morphe::moveit {
@@ -33,17 +34,17 @@ Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames) {
   Scene read;
   const config::ConfigNode world = scene["world"];
   if (world.has("octomap") && world["octomap"].has("octomap")) {
-    refuse(world["octomap"]["octomap"], "data", "an octomap is not understood");
+    refuse(world["octomap"]["octomap"], "data", "an octomap is not supported");
   }
   const auto taken = [&](const std::string& name) {
     return find_object(read.objects, name) != nullptr;
   };
   for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();
-    if (taken(id)) item["id"].fail(fmt::format("an object '{}' exists already", id));
-    refuse(item, "planes", "planes are not understood");
+    if (taken(id)) item["id"].fail(fmt::format("an object '{}' already exists", id));
+    refuse(item, "planes", "planes are not supported");
     if (item.has("operation") && item["operation"].text() != "0") {
-      item["operation"].fail("must be 0: an object that is there");
+      item["operation"].fail("must be 0 (ADD)");
     }
     Pose base_from_object = frames.pose_of(item);
     if (item.has("pose")) base_from_object = base_from_object * read_pose(item["pose"]);

@@ -68,7 +68,7 @@ SceneObject read_mesh(const config::ConfigNode& node, const Pose& base_from_mesh
     }
     object.triangles.push_back(triangle);
   }
-  if (object.triangles.empty()) node["triangles"].fail("has none");
+  if (object.triangles.empty()) node["triangles"].fail("must not be empty");
   return object;
 }
 
@@ -138,7 +138,8 @@ std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose
                                           poses = items_of(owner, pose_key);
     // MoveIt places a single shape without a pose at its owner's pose.
     if (poses.size() != items.size() && !(items.size() == 1 && poses.empty())) {
-      owner.fail(fmt::format("{} {}, but {} {}", items.size(), key, poses.size(), pose_key));
+      owner.fail(fmt::format("{} {} but {} {}; must be as many", items.size(), key, poses.size(),
+                             pose_key));
     }
     for (std::size_t k = 0; k < items.size(); ++k) {
       const Pose owner_from_shape = poses.empty() ? Pose(Pose::Identity()) : read_pose(poses[k]);
@@ -147,7 +148,7 @@ std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose
   };
   read("primitives", "primitive_poses", read_primitive);
   read("meshes", "mesh_poses", read_mesh);
-  if (shapes.empty()) owner.fail("has no primitives and no meshes");
+  if (shapes.empty()) owner.fail("has neither primitives nor meshes");
   return shapes;
 }
 

@@ -14,7 +14,7 @@ constexpr const char* kFile = "model.xml";
 
 int number_of(const Model& model, int kind, const std::string& name) {
   const int number = mj_name2id(model.compiled().model, kind, name.c_str());
-  if (number < 0) throw EngineError(fmt::format("the model has nothing called '{}'", name));
+  if (number < 0) throw EngineError(fmt::format("the model has no element '{}'", name));
   return number;
 }
 

@@ -33,7 +33,7 @@ struct State::Running {
 State::State(const Model& model) : model_(&model), running_(std::make_unique<Running>()) {
   const mjModel& m = model_of(model);
   call_guarded([&] { running_->data = mj_makeData(&m); });
-  if (!running_->data) throw EngineError("no memory for a simulation");
+  if (!running_->data) throw EngineError("not enough memory for a simulation");
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
       running_->compensated_dofs.push_back(m.jnt_dofadr[joint]);
@@ -123,7 +123,7 @@ std::optional<std::string> State::step() {
     if (d.warning[kind].number > 0)
       return mju_warningText(kind, static_cast<std::size_t>(d.warning[kind].lastinfo));
   }
-  if (!(d.time > before_s)) return "the engine went back to its start";
+  if (!(d.time > before_s)) return "the simulation became unstable and was reset by the engine";
   return std::nullopt;
 }
 

@@ -10,13 +10,13 @@ namespace {
 
 using Eigen::Index;
 
-double share_of(const std::vector<double>& pad_share, std::size_t tip) {
-  return pad_share.empty() ? 0 : pad_share[tip];
+double share_of(const std::vector<double>& tip_to_pad_share, std::size_t tip) {
+  return tip_to_pad_share.empty() ? 0 : tip_to_pad_share[tip];
 }
 
 /// Fills the position errors place - tip, 0 for free tips, and returns the largest distance.
 double fill_position_errors(const Robot& robot, const std::vector<Vec3>& places,
-                            const std::vector<double>& pad_share, const JointVector& q,
+                            const std::vector<double>& tip_to_pad_share, const JointVector& q,
                             IkScratch& scratch) {
   forward_kinematics(robot, q, scratch.base_from_frame);
   double largest = 0;
@@ -24,14 +24,15 @@ double fill_position_errors(const Robot& robot, const std::vector<Vec3>& places,
     auto error = scratch.error.segment<3>(3 * static_cast<Index>(i));
     error.setZero();
     if (!is_known(places[i])) continue;
-    error = places[i] - tracked_point(robot, scratch.base_from_frame, i, share_of(pad_share, i));
+    error =
+        places[i] - tracked_point(robot, scratch.base_from_frame, i, share_of(tip_to_pad_share, i));
     largest = std::max(largest, error.norm());
   }
   return largest;
 }
 
 void fill_jacobian(const Robot& robot, const std::vector<Vec3>& places,
-                   const std::vector<double>& pad_share, IkScratch& scratch) {
+                   const std::vector<double>& tip_to_pad_share, IkScratch& scratch) {
   tip_jacobians(robot, scratch.base_from_frame, scratch.tip_jacobian);
   for (std::size_t i = 0; i < places.size(); ++i) {
     auto rows = scratch.jacobian.middleRows<3>(3 * static_cast<Index>(i));
@@ -41,7 +42,7 @@ void fill_jacobian(const Robot& robot, const std::vector<Vec3>& places,
     }
     const Index of_tip = 6 * static_cast<Index>(i);
     rows = scratch.tip_jacobian.middleRows<3>(of_tip);
-    const double share = share_of(pad_share, i);
+    const double share = share_of(tip_to_pad_share, i);
     if (share == 0) continue;
     const Vec3 beside = tracked_point(robot, scratch.base_from_frame, i, share) -
                         tracked_point(robot, scratch.base_from_frame, i, 0);
@@ -73,22 +74,22 @@ void find_step(const Robot& robot, const JointVector& q, IkScratch& scratch) {
 }  // namespace
 
 double damped_least_squares_ik(const Robot& robot, const std::vector<Vec3>& places,
-                               const std::vector<double>& pad_share, int steps, double near_m,
-                               JointVector& q, IkScratch& scratch) {
+                               const std::vector<double>& tip_to_pad_share, int steps,
+                               double near_m, JointVector& q, IkScratch& scratch) {
   // Largest step of any joint [rad].
   constexpr double kMaxJointStep_rad = 0.3;
   const auto tips = static_cast<Index>(places.size());
   scratch.error.resize(3 * tips);
   scratch.tip_jacobian.resize(6 * tips, q.size());
   scratch.jacobian.resize(3 * tips, q.size());
-  double left = fill_position_errors(robot, places, pad_share, q, scratch);
+  double left = fill_position_errors(robot, places, tip_to_pad_share, q, scratch);
   for (int k = 0; k < steps && left > near_m; ++k) {
-    fill_jacobian(robot, places, pad_share, scratch);
+    fill_jacobian(robot, places, tip_to_pad_share, scratch);
     find_step(robot, q, scratch);
     const double longest = scratch.step.cwiseAbs().maxCoeff();
     if (longest > kMaxJointStep_rad) scratch.step *= kMaxJointStep_rad / longest;
     q = (q + scratch.step).cwiseMax(robot.lower).cwiseMin(robot.upper);
-    left = fill_position_errors(robot, places, pad_share, q, scratch);
+    left = fill_position_errors(robot, places, tip_to_pad_share, q, scratch);
   }
   return left;
 }

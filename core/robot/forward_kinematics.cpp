@@ -24,7 +24,7 @@ void set_frame_pose(const Eigen::Matrix4d& parent, const RobotModel::Frame& fram
   };
   const Eigen::Vector4d x = column(0), y = column(1), z = column(2);
   pose.col(3) = column(3) + parent.col(3);
-  if (frame.slides && frame.joint >= 0) {
+  if (frame.prismatic && frame.joint >= 0) {
     pose.col(0) = x;
     pose.col(1) = y;
     pose.col(2) = z;
@@ -95,7 +95,7 @@ void point_jacobian(const RobotModel& robot, const std::vector<Pose>& base_from_
     const Pose& pose = base_from_frame[static_cast<std::size_t>(above)];
     const Vec3 arm = point_in_base - pose.translation();
     const Vec3 axis = scaled_axis(f, pose);
-    jacobian.col(f.joint) += f.slides ? axis : axis.cross(arm);
+    jacobian.col(f.joint) += f.prismatic ? axis : axis.cross(arm);
   }
 }
 
@@ -108,7 +108,7 @@ void add_point_gradient(const RobotModel& robot, const std::vector<Pose>& base_f
     if (f.joint >= 0) {
       const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
       const Vec3 arm = point_in_base - pose.translation();
-      slope[f.joint] += scaled_axis(f, pose).dot(f.slides ? direction : arm.cross(direction));
+      slope[f.joint] += scaled_axis(f, pose).dot(f.prismatic ? direction : arm.cross(direction));
     }
     frame = f.parent;
   }
@@ -130,7 +130,7 @@ void tip_jacobians(const RobotModel& robot, const std::vector<Pose>& base_from_f
         const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
         const Vec3 axis = scaled_axis(f, pose);
         auto column = jacobian.block<6, 1>(6 * static_cast<Eigen::Index>(i), f.joint);
-        if (f.slides) {
+        if (f.prismatic) {
           column.head<3>() += axis;
         } else {
           column.head<3>() += axis.cross(point - pose.translation());

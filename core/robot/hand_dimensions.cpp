@@ -23,7 +23,7 @@ std::vector<Axis> bending_axes(const RobotModel& robot, const RobotModel::Tip& t
   for (const int f : ancestors(robot, tip.frame)) {
     if (is_in_subtree(robot, robot.palm_frame, f))
       break;  // the frame carries the palm, so it is part of the wrist
-    if (joint_of(robot, f) < 0 || robot.frames[static_cast<std::size_t>(f)].slides) continue;
+    if (joint_of(robot, f) < 0 || robot.frames[static_cast<std::size_t>(f)].prismatic) continue;
     const Pose& pose = base_from_frame[static_cast<std::size_t>(f)];
     const Axis axis{pose.translation(),
                     pose.linear() * robot.frames[static_cast<std::size_t>(f)].axis};

@@ -11,7 +11,7 @@ double distance_to_axis(const Vec3& point, const Vec3& axis) {
 
 /// Returns the largest distance that a prismatic frame can move from its transform.
 double max_prismatic_extension(const RobotModel& robot, const RobotModel::Frame& frame) {
-  if (!frame.slides || frame.joint < 0) return 0;
+  if (!frame.prismatic || frame.joint < 0) return 0;
   const auto way = [&](double q) { return std::abs(frame.ratio * q + frame.offset); };
   return std::max(way(robot.lower[frame.joint]), way(robot.upper[frame.joint]));
 }
@@ -32,7 +32,7 @@ void add_motion_bounds(const RobotModel& robot, int frame_index, const Vec3& fro
                               ? distance_to_axis(outward->transform.translation(), axis)
                               : std::max(distance_to_axis(from, axis), distance_to_axis(to, axis));
     if (frame.joint >= 0) {
-      row[frame.joint] += std::abs(frame.ratio) * (frame.slides ? 1 : link_m + beyond_m);
+      row[frame.joint] += std::abs(frame.ratio) * (frame.prismatic ? 1 : link_m + beyond_m);
     }
     beyond_m +=
         outward ? outward->transform.translation().norm() : std::max(from.norm(), to.norm());

@@ -43,10 +43,10 @@ bool is_pad(const Robot& robot, int capsule) {
 }
 
 Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
-                   double pad_share) {
+                   double tip_to_pad_share) {
   const RobotModel::Tip& of = robot.tips[tip];
   Vec3 point = of.transform.translation();
-  if (pad_share > 0) point += pad_share * (robot.pads[tip].centre - point);
+  if (tip_to_pad_share > 0) point += tip_to_pad_share * (robot.pads[tip].centre - point);
   return of.frame < 0 ? point : base_from_frame[static_cast<std::size_t>(of.frame)] * point;
 }
 

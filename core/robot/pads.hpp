@@ -26,9 +26,9 @@ std::vector<Pad> find_pads(const RobotModel& robot);
 /// Returns true if the capsule has a pad.
 bool is_pad(const Robot& robot, int capsule);
 
-/// Returns the tracked point of a tip in the base frame [m]: the point at `pad_share` of the way
-/// from the tip to the centre of its pad, to which a goal applies (Goals::pad_share).
+/// Returns the tracked point of a tip in the base frame [m]: the point at `tip_to_pad_share` of the
+/// way from the tip to the centre of its pad, to which a goal applies (Goals::tip_to_pad_share).
 Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::size_t tip,
-                   double pad_share);
+                   double tip_to_pad_share);
 
 }  // namespace morphe::robot

@@ -36,11 +36,11 @@ Robot::Robot(RobotModel table) : RobotModel(std::move(table)) {
   }
   std::ranges::sort(arm_joints);
   arm_joints.erase(std::unique(arm_joints.begin(), arm_joints.end()), arm_joints.end());
-  for (const JointCentre& centre : centres) {
+  for (const JointCentre& centre : joint_centres) {
     if (centre.chain == kArm) arm_centres.push_back(centre.frame);
     tip_of_centre.push_back(distal_tip(*this, centre));
     chain_centre_count.push_back(
-        static_cast<double>(std::ranges::count(centres, centre.chain, &JointCentre::chain)));
+        static_cast<double>(std::ranges::count(joint_centres, centre.chain, &JointCentre::chain)));
   }
   pads = find_pads(*this);
   capsule_motion_bounds = robot::capsule_motion_bounds(*this);

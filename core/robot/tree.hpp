@@ -57,7 +57,7 @@ inline int moving_frame_of(const RobotModel& robot, int frame) {
 /// Returns true if a joint's own value is a length, because the first of its frames is prismatic.
 inline bool is_prismatic(const RobotModel& robot, int joint) {
   for (const RobotModel::Frame& frame : robot.frames) {
-    if (frame.joint == joint) return frame.slides;
+    if (frame.joint == joint) return frame.prismatic;
   }
   return false;
 }

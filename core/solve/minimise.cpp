@@ -38,17 +38,20 @@ double evaluate(unsigned n, const double* x, double* gradient, void* data) {
 }  // namespace
 
 std::string validation_error(const MinimiseOptions& options) {
-  bool known = options.algorithm == "structured";
+  if (options.algorithm == "structured")
+    return "algorithm: 'structured' is now called 'trust_region'";
+  bool known = options.algorithm == "trust_region";
   for (const auto& entry : kAlgorithms) known |= options.algorithm == entry.first;
   if (!known)
-    return "algorithm must be structured, tnewton, slsqp or lbfgs, not '" + options.algorithm + "'";
-  if (options.evaluations < 1) return "evaluations must be at least 1";
+    return "algorithm must be trust_region, tnewton, slsqp or lbfgs, not '" + options.algorithm +
+           "'";
+  if (options.max_evaluations < 1) return "max_evaluations must be at least 1";
   return "";
 }
 
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,
                  const MinimiseOptions& options) {
-  if (options.algorithm == "structured") {
+  if (options.algorithm == "trust_region") {
     TrustRegionScratch scratch;
     return minimise_trust_region(problem, start, options, scratch);
   }
@@ -68,9 +71,9 @@ Minimum minimise(const BoundedProblem& problem, const JointVector& start,
   solver.set_lower_bounds(list(problem.lower));
   solver.set_upper_bounds(list(problem.upper));
   solver.set_min_objective(&evaluate, &call);
-  solver.set_maxeval(options.evaluations);
-  solver.set_ftol_rel(options.relative_value);
-  solver.set_xtol_abs(options.absolute_step_rad);
+  solver.set_maxeval(options.max_evaluations);
+  solver.set_ftol_rel(options.relative_tolerance);
+  solver.set_xtol_abs(options.step_tolerance_rad);
 
   std::vector<double> x = list(best.x);
   double value = 0;

@@ -19,20 +19,20 @@ struct BoundedProblem {
 
 /// The options of minimise().
 struct MinimiseOptions {
-  /// "structured": Morphe's projected Newton method. NLopt's algorithms: "tnewton"
+  /// "trust_region": Morphe's projected Newton method. NLopt's algorithms: "tnewton"
   /// (LD_TNEWTON_PRECOND_RESTART), "slsqp" or "lbfgs".
-  std::string algorithm = "structured";
-  int evaluations = 400;            ///< maximum number of evaluations; there is no time limit
-  double relative_value = 1e-10;    ///< stop if a step changes F by less than this share
-  double absolute_step_rad = 1e-7;  ///< or x by less than this
+  std::string algorithm = "trust_region";
+  int max_evaluations = 400;          ///< maximum number of evaluations; there is no time limit
+  double relative_tolerance = 1e-10;  ///< stop if a step changes F by less than this share
+  double step_tolerance_rad = 1e-7;   ///< or x by less than this
 };
 /// Declares the config keys of the options.
 template <class Fields>
 void fields(Fields& f, MinimiseOptions& o) {
   f("algorithm", o.algorithm);
-  f("evaluations", o.evaluations);
-  f("relative_value", o.relative_value);
-  f("absolute_step_rad", o.absolute_step_rad);
+  f("max_evaluations", o.max_evaluations);
+  f("relative_tolerance", o.relative_tolerance);
+  f("step_tolerance_rad", o.step_tolerance_rad);
 }
 /// Returns the reason why the options are invalid, "" if they are valid.
 std::string validation_error(const MinimiseOptions& options);

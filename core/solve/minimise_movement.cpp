@@ -80,7 +80,8 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
   JointRows step, aimed;
   int small = 0;
   MovementMinimum result;
-  while (result.iterations < options.iterations && small < 2 && damping.minCoeff() <= kMaxDamping) {
+  while (result.iterations < options.max_iterations && small < 2 &&
+         damping.minCoeff() <= kMaxDamping) {
     ++result.iterations;
     if (!damped_step(problem, between, now, damping, hessian, step)) {
       damping *= 8;
@@ -92,7 +93,7 @@ MovementMinimum minimise_movement(const MovementProblem& problem, const JointRow
     const bool taken = next.value < now.value;
     adapt_damping(now, aimed, next, taken, damping);
     if (!taken) continue;
-    small = now.value - next.value < options.relative_value * now.value ? small + 1 : 0;
+    small = now.value - next.value < options.relative_tolerance * now.value ? small + 1 : 0;
     std::swap(now, next);
   }
   result.converged = small == 2;

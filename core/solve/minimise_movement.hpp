@@ -20,15 +20,15 @@ struct MovementProblem {
 
 /// The options of minimise_movement().
 struct MovementOptions {
-  int iterations = 60;
+  int max_iterations = 60;
   /// Stop if two consecutive steps decrease the value by less than this share.
-  double relative_value = 1e-5;
+  double relative_tolerance = 1e-5;
 };
 /// Declares the config keys of the options.
 template <class Fields>
 void fields(Fields& f, MovementOptions& o) {
-  f("iterations", o.iterations);
-  f("relative_value", o.relative_value);
+  f("max_iterations", o.max_iterations);
+  f("relative_tolerance", o.relative_tolerance);
 }
 
 /// The result of minimise_movement().

@@ -164,10 +164,10 @@ Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& 
     radius = std::min(radius, left.max_change) / 4;
     uphill = 0;
   };
-  while (result.evaluations < options.evaluations) {
+  while (result.evaluations < options.max_evaluations) {
     const Step step = trust_region_step(problem, radius, scratch);
-    if (step.predicted_reduction <= options.relative_value * std::abs(scratch.now.value) ||
-        step.max_change <= options.absolute_step_rad) {
+    if (step.predicted_reduction <= options.relative_tolerance * std::abs(scratch.now.value) ||
+        step.max_change <= options.step_tolerance_rad) {
       if (uphill > 0) {
         restore_checkpoint();
         continue;

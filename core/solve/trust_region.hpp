@@ -18,8 +18,8 @@ struct TrustRegionScratch {
 ///   g·δ + ½ δᵀ (H + μ I) δ  subject to lower <= x + δ <= upper
 /// by an active set method. H is the exact Hessian; μ makes it positive definite and keeps the step
 /// within the trust region. A few consecutive steps may increase F, because the bottom of a curved
-/// valley is left and reached again. It stops if the predicted decrease is less than relative_value
-/// of F.
+/// valley is left and reached again. It stops if the predicted decrease is less than
+/// relative_tolerance of F.
 Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& start,
                               const MinimiseOptions& options, TrustRegionScratch& scratch);
 

@@ -28,7 +28,7 @@ class ConsistencyChecker {
   void table(const char* name, const Array2D<T>& table, std::size_t rows, std::size_t cols) {
     length(name, table.rows, rows);
     columns(name, table.rows, table.cols, cols);
-    require(table.values.size() == table.rows * table.cols, name, "is not filled");
+    require(table.values.size() == table.rows * table.cols, name, "has not rows x columns values");
   }
   void table(const char* name, const JointRows& table, std::size_t rows, std::size_t cols) {
     length(name, static_cast<std::size_t>(table.rows()), rows);
@@ -36,12 +36,12 @@ class ConsistencyChecker {
   }
   void index(const char* name, int is, int least, std::size_t count) {
     require(is >= least && (is < 0 || static_cast<std::size_t>(is) < count), name,
-            fmt::format("{} is not in [{}, {})", is, least, count));
+            fmt::format("{} is outside [{}, {})", is, least, count));
   }
   /// Checks a text that is printed: it must not contain control characters or line ends.
   void text(const char* name, const std::string& text) {
     require(files::is_printable(text), name,
-            "holds control characters: '" + files::make_printable(text) + "'");
+            "contains control characters: '" + files::make_printable(text) + "'");
   }
   void texts(const char* name, const std::vector<std::string>& texts) {
     for (const std::string& one : texts) text(name, one);
@@ -67,10 +67,11 @@ ConsistencyChecker check_names(const std::vector<SceneObject>& objects, const st
   for (const SceneObject& object : objects) {
     const std::string& name = object.name;
     const std::string shown = files::make_printable(name);
-    faults.require(names.insert(name).second, shown.c_str(), "the name stands twice");
+    faults.require(names.insert(name).second, shown.c_str(), "the name appears twice");
     faults.require(
         !name.empty() && name != "." && name.find('/') == std::string::npos && shown == name,
-        shown.c_str(), "cannot be a name: it must not be empty or hold '/' or control characters");
+        shown.c_str(),
+        "is not a valid name: must not be empty or contain '/' or control characters");
   }
   return faults;
 }
@@ -81,7 +82,7 @@ ConsistencyChecker check_arrays(const SceneObject& object, const std::string& pa
   const std::size_t sizes = kSizes[static_cast<std::size_t>(object.shape)];
   faults.require(object.size.size() == sizes, "@size",
                  fmt::format("has {} numbers, not {}", object.size.size(), sizes));
-  faults.require(!object.time.empty(), "time", "has no sample");
+  faults.require(!object.time.empty(), "time", "has no samples");
   faults.length("position", object.position.size(), object.time.size());
   faults.length("orientation", object.orientation.size(), object.time.size());
   for (const Eigen::Vector3i& triangle : object.triangles)
@@ -143,8 +144,9 @@ ConsistencyChecker check_arrays(const Goals& goals, std::size_t tips) {
   ConsistencyChecker faults("goals/");
   const std::size_t frames = goals.frames();
   faults.table("tip_position", goals.tip_position, frames, tips);
-  if (goals.pad_share.rows > 0) faults.table("pad_share", goals.pad_share, frames, tips);
-  if (!goals.closed.empty()) faults.length("closed", goals.closed.size(), tips);
+  if (goals.tip_to_pad_share.rows > 0)
+    faults.table("tip_to_pad_share", goals.tip_to_pad_share, frames, tips);
+  if (!goals.auto_closed.empty()) faults.length("auto_closed", goals.auto_closed.size(), tips);
   faults.table("tip_orientation", goals.tip_orientation, frames, tips);
   faults.table("reachable", goals.reachable, frames, tips);
   faults.length("shoulder_position", goals.shoulder_position.size(), frames);
@@ -161,8 +163,8 @@ ConsistencyChecker check_arrays(const MappingResult& mapped, std::size_t frames,
   ConsistencyChecker faults("mapped/");
   if (mapped.position.rows() == 0) frames = 0;
   faults.table("position", mapped.position, frames, robot.joints());
-  faults.table("position_error", mapped.position_error, frames, robot.tips.size());
-  faults.table("orientation_error", mapped.orientation_error, frames, robot.tips.size());
+  faults.table("tip_error", mapped.tip_error, frames, robot.tips.size());
+  faults.table("tip_orientation_error", mapped.tip_orientation_error, frames, robot.tips.size());
   faults.length("objective", mapped.objective.size(), frames);
   faults.table("humanlikeness", mapped.humanlikeness, frames, 3);
   faults.length("status", mapped.status.size(), frames);
@@ -206,12 +208,12 @@ ConsistencyChecker check_arrays(const Grasp& grasp, std::size_t samples, const R
   ConsistencyChecker faults("grasp/");
   faults.index("@sample", grasp.sample, 0, samples);
   faults.length("tips_in_object", grasp.tips_in_object.size(), robot.tips.size());
-  faults.length("hand_posture", static_cast<std::size_t>(grasp.hand_posture.size()),
+  faults.length("grasp_posture", static_cast<std::size_t>(grasp.grasp_posture.size()),
                 robot.joints());
-  if (grasp.squeeze_torque.size() > 0) {
-    faults.length("squeeze/torque", static_cast<std::size_t>(grasp.squeeze_torque.size()),
+  if (grasp.grasp_torque.size() > 0) {
+    faults.length("grasp_force/torque", static_cast<std::size_t>(grasp.grasp_torque.size()),
                   robot.joints());
-    faults.length("squeeze/servo_target", static_cast<std::size_t>(grasp.squeeze_posture.size()),
+    faults.length("grasp_force/servo_target", static_cast<std::size_t>(grasp.servo_target.size()),
                   robot.joints());
   }
   faults.length("pregrasp_posture", static_cast<std::size_t>(grasp.pregrasp_posture.size()),
@@ -271,14 +273,16 @@ std::string inconsistency(const RobotModel& robot) {
   for (const RobotModel::Tip& tip : robot.tips) {
     faults.index("tips/frame", tip.frame, 0, frames);
     faults.index("tips/finger", tip.finger, -1, kFingerCount);
-    faults.require(!(tip.along < 0 || tip.along > 1), "tips/along", "is not a share");
+    faults.require(!(tip.finger_curve_share < 0 || tip.finger_curve_share > 1),
+                   "tips/finger_curve_share", "must be from 0 to 1");
   }
-  for (const RobotModel::JointCentre& centre : robot.centres)
-    faults.index("centres/frame", centre.frame, 0, frames);
+  for (const RobotModel::JointCentre& centre : robot.joint_centres)
+    faults.index("joint_centres/frame", centre.frame, 0, frames);
   for (const RobotModel::Capsule& capsule : robot.capsules)
     faults.index("capsules/frame", capsule.frame, -1, frames);
-  for (const std::array<int, 2>& pair : robot.allowed_pairs)
-    for (const int capsule : pair) faults.index("allowed_pairs", capsule, 0, robot.capsules.size());
+  for (const std::array<int, 2>& pair : robot.allowed_collision_pairs)
+    for (const int capsule : pair)
+      faults.index("allowed_collision_pairs", capsule, 0, robot.capsules.size());
   faults.index("@shoulder_frame", robot.shoulder_frame, 0, frames);
   faults.index("@palm_frame", robot.palm_frame, 0, frames);
   return faults.first_error;
@@ -290,8 +294,8 @@ std::string inconsistency(const Plan& plan, const RobotModel& robot) {
   faults.text("@task", plan.task);
   faults.text("@target", plan.movement.target);
   faults.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
-                 plan.has_trajectory() ? "has no sample, but the plan is executable"
-                                       : "is there, but the plan is infeasible");
+                 plan.has_trajectory() ? "has no samples, but the plan is executable"
+                                       : "exists, but the plan is infeasible");
   faults.take(check_arrays(plan.goals, robot.tips.size()));
   faults.take(check_names(plan.scene.objects, "scene/"));
   for (const SceneObject& object : plan.scene.objects) faults.take(check_arrays(object, "scene/"));

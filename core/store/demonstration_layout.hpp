@@ -38,7 +38,7 @@ void lay_out_streams(Io& io, T& streams) {
   lay_out_stream(io, "sensors", streams.sensors, bodies);
   lay_out_stream(io, "skeleton", streams.skeleton, [&](Io& in, auto& stream) {
     in.attribute("parents", stream.parents);
-    in.optional_flag("rebuilt", stream.rebuilt);
+    in.optional_flag("reconstructed", stream.reconstructed);
     bodies(in, stream);
   });
   lay_out_stream(io, "arm_angles", streams.arm_angles, [&](Io& in, auto& stream) {
@@ -95,7 +95,7 @@ void lay_out_demonstration(Io& io, T& demo) {
     in.column("end_s", demo.labels, &Label::end_s, {"s", "", ""});
     in.column("phase", demo.labels, &Label::phase, {});
   });
-  io.optional_names("reports", demo.reports);
+  io.optional_names("import_notes", demo.import_notes);
 }
 
 }  // namespace morphe::store

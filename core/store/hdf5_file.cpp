@@ -130,7 +130,8 @@ Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   struct stat found {};
   if (::stat(path.c_str(), &found) != 0 || ::access(path.c_str(), R_OK) != 0)
     throw InputError(fmt::format("{}: cannot be opened: {}", file.name_, std::strerror(errno)));
-  if (!S_ISREG(found.st_mode)) throw InputError(fmt::format("{}: is no file", file.name_));
+  if (!S_ISREG(found.st_mode))
+    throw InputError(fmt::format("{}: is not a regular file", file.name_));
   const Hdf5Id access = access_properties();
   file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
   if (!file.id_.valid())
@@ -155,7 +156,8 @@ Hdf5File::State Hdf5File::state() const {
 }
 
 void Hdf5File::expect_unchanged() const {
-  if (state() != opened_) throw InputError(fmt::format("{}: was changed while it was read", name_));
+  if (state() != opened_)
+    throw InputError(fmt::format("{}: was changed by another process while being read", name_));
 }
 
 void Hdf5File::expect_written(int error) const {
@@ -177,8 +179,8 @@ Hdf5Group Hdf5Group::create(const std::string& name) const {
   if (name.empty() || name == "." || name.find('/') != std::string::npos ||
       !files::is_printable(name))
     fail(fmt::format(
-        "'{}' cannot be a name: it must not be empty or hold '/' or control characters", name));
-  if (has(name)) fail(name, "is there already");
+        "'{}' is not a valid name: must not be empty or contain '/' or control characters", name));
+  if (has(name)) fail(name, "already exists");
   const Hdf5Id creation = properties(H5P_GROUP_CREATE);
   describe_group(creation.get());
   Hdf5Id id(H5Gcreate2(id_.get(), name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
@@ -198,7 +200,7 @@ bool Hdf5Group::is_group(const std::string& name) const {
 
 Hdf5Group Hdf5Group::open(const std::string& name) const {
   silence_hdf5_errors();
-  if (is_external_link(id_.get(), name)) fail(name, "leads into another file");
+  if (is_external_link(id_.get(), name)) fail(name, "is a link into another file");
   if (!has(name)) fail(name, "is missing");
   Hdf5Id id(H5Gopen2(id_.get(), name.c_str(), H5P_DEFAULT), H5Gclose);
   if (!id.valid()) fail(name, "is not a readable group");
@@ -218,7 +220,7 @@ void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit)
   const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
   const std::function<void(const std::string&)> named = [&](const std::string& name) {
     if (!files::is_printable(name))
-      fail(fmt::format("'{}' is no name: it holds control characters", name));
+      fail(fmt::format("'{}' is not a valid name: it contains control characters", name));
     visit(name);
   };
   Visit visited{named, nullptr};
@@ -257,14 +259,15 @@ void write_format(const Hdf5Group& root, const std::string& format, int version)
 }
 
 void check_format(const Hdf5Group& root, const std::string& format, int version) {
-  if (!root.has_attribute("format")) root.fail(fmt::format("@format is missing: not {}", format));
+  if (!root.has_attribute("format"))
+    root.fail(fmt::format("@format is missing; must be {}", format));
   std::string found;
   root.get("format", found);
   if (found != format) root.fail(fmt::format("is '{}', not '{}'", found, format));
   std::int32_t number = 0;
   root.get("version", number);
-  if (number < 1 || number > version)
-    root.fail(fmt::format("@version is {}; this program reads up to {}", number, version));
+  if (number != version)
+    root.fail(fmt::format("@version is {}; this program reads only version {}", number, version));
 }
 
 }  // namespace morphe::store

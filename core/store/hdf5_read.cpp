@@ -48,7 +48,7 @@ struct OpenDataset {
 OpenDataset open_dataset(hid_t group, const std::string& name, std::size_t file_bytes) {
   OpenDataset data;
   if (is_external_link(group, name)) {
-    data.problem = "leads into another file";
+    data.problem = "is a link into another file";
     return data;
   }
   if (H5Lexists(group, name.c_str(), H5P_DEFAULT) <= 0) {
@@ -66,13 +66,13 @@ OpenDataset open_dataset(hid_t group, const std::string& name, std::size_t file_
   data.type = {H5Dget_type(data.id.get()), H5Tclose};
   data.extent = extent_of(space.get());
   if (H5Pget_layout(layout.get()) == H5D_VIRTUAL || H5Pget_external_count(layout.get()) != 0) {
-    data.problem = "keeps its values in another file";
+    data.problem = "stores its values in another file";
     return data;
   }
   const double stored = static_cast<double>(H5Dget_storage_size(data.id.get()));
   const double asked = data.extent.count * static_cast<double>(H5Tget_size(data.type.get()));
   if (stored > static_cast<double>(file_bytes) || asked > stored * kMaxCompressionRatio)
-    data.problem = "claims more values than the file holds";
+    data.problem = "has more values than the file can contain";
   return data;
 }
 
@@ -171,10 +171,10 @@ Hdf5Array<T> Hdf5Group::read(const std::string& name, const Hdf5Shape& shape) co
   const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
   if (!fits(T{}, H5Tget_class(data.type.get())))
-    fail(name, fmt::format("does not hold {}", kind_name(T{})));
+    fail(name, fmt::format("must contain {}", kind_name(T{})));
   if (!agrees(data.extent.dims, shape))
     fail(name,
-         fmt::format("has the shape {}, not {}", shape_text(data.extent.dims), shape_text(shape)));
+         fmt::format("has shape {}, must be {}", shape_text(data.extent.dims), shape_text(shape)));
   Hdf5Array<T> array;
   array.dims = data.extent.dims;
   array.values.resize(static_cast<std::size_t>(data.extent.count));
@@ -197,9 +197,9 @@ std::size_t Hdf5Group::length(const std::string& name) const {
 std::vector<std::string> Hdf5Group::read_strings(const std::string& name) const {
   const OpenDataset data = open_dataset(id_.get(), name, file_bytes());
   if (!data.problem.empty()) fail(name, data.problem);
-  if (H5Tget_class(data.type.get()) != H5T_STRING) fail(name, "does not hold strings");
+  if (H5Tget_class(data.type.get()) != H5T_STRING) fail(name, "must contain strings");
   if (data.extent.dims.size() > 1)
-    fail(name, fmt::format("has the shape {}, not [*]", shape_text(data.extent.dims)));
+    fail(name, fmt::format("has shape {}, must be [*]", shape_text(data.extent.dims)));
   const Hdf5Id space(H5Dget_space(data.id.get()), H5Sclose);
   const auto read = [&](hid_t type, void* out) {
     return H5Dread(data.id.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) >= 0;
@@ -213,7 +213,7 @@ std::vector<std::string> Hdf5Group::read_strings(const std::string& name) const 
 
 std::string Hdf5Group::read_text(const std::string& name) const {
   const std::vector<std::string> values = read_strings(name);
-  if (values.size() != 1) fail(name, "does not hold one text");
+  if (values.size() != 1) fail(name, "must contain one text");
   return values.front();
 }
 
@@ -263,23 +263,23 @@ void Hdf5Group::get(const std::string& name, std::string& text, const char* data
   std::vector<std::string> values;
   if (!attribute_strings(open_attribute(id_.get(), dataset, name, file_bytes()), values) ||
       values.size() != 1)
-    fail("@" + name, "is missing or not a text");
+    fail("@" + name, "is missing or not text");
   text = values.front();
 }
 
 void Hdf5Group::get(const std::string& name, double& value) const {
   if (!attribute_value(open_attribute(id_.get(), ".", name, file_bytes()), value))
-    fail("@" + name, "is missing or not one number");
+    fail("@" + name, "is missing or not a single number");
 }
 
 void Hdf5Group::get(const std::string& name, std::int32_t& value) const {
   if (!attribute_value(open_attribute(id_.get(), ".", name, file_bytes()), value))
-    fail("@" + name, "is missing or not one integer");
+    fail("@" + name, "is missing or not a single integer");
 }
 
 void Hdf5Group::get(const std::string& name, std::uint8_t& value) const {
   if (!attribute_value(open_attribute(id_.get(), ".", name, file_bytes()), value))
-    fail("@" + name, "is missing or not one integer");
+    fail("@" + name, "is missing or not a single integer");
 }
 
 void Hdf5Group::get(const std::string& name, std::vector<double>& values) const {

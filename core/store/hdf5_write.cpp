@@ -82,7 +82,7 @@ bool write_attribute(hid_t group, const char* object, const std::string& name, h
 
 template <class T>
 void Hdf5Group::write(const std::string& name, const Hdf5Array<T>& array) const {
-  if (has(name)) fail(name, "is there already");
+  if (has(name)) fail(name, "already exists");
   if (!write_dataset(id_.get(), name, file_type(T{}), memory_type(T{}), simple_space(array.dims),
                      dataset_properties(array.dims, sizeof(T)), array.values.data()))
     fail(name, "cannot be written");
@@ -94,7 +94,7 @@ template void Hdf5Group::write(const std::string&, const Hdf5Array<std::uint8_t>
 
 void Hdf5Group::write_strings(const std::string& name,
                               const std::vector<std::string>& values) const {
-  if (has(name)) fail(name, "is there already");
+  if (has(name)) fail(name, "already exists");
   const PaddedStrings strings = pad_strings(values);
   if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(),
                      simple_space({values.size()}),
@@ -103,7 +103,7 @@ void Hdf5Group::write_strings(const std::string& name,
 }
 
 void Hdf5Group::write_text(const std::string& name, const std::string& text) const {
-  if (has(name)) fail(name, "is there already");
+  if (has(name)) fail(name, "already exists");
   const PaddedStrings strings = pad_strings({text});
   if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(), scalar_space(),
                      dataset_properties({}, strings.length), strings.bytes.data()))

@@ -35,14 +35,14 @@ class BoundsChecker {
       if (std::abs(time[i]) <= kMaxTime_s && (i == 0 || time[i] > time[i - 1])) continue;
       require(false, path + "time",
               std::abs(time[i]) <= kMaxTime_s
-                  ? fmt::format("row {}: does not follow the row before", i + 1)
-                  : fmt::format("row {}: {} is no time", i + 1, time[i]));
+                  ? fmt::format("row {}: must be greater than in the previous row", i + 1)
+                  : fmt::format("row {}: {} is not a possible time", i + 1, time[i]));
       return;
     }
     if (time.size() < 2) return;
     const double rate_hz = static_cast<double>(time.size() - 1) / (time.back() - time.front());
     require(rate_hz <= kMaxSampleRate_hz, path + "time",
-            fmt::format("{:.4g} rows a second: more than {:.0f} cannot be", rate_hz,
+            fmt::format("{:.4g} rows per second; at most {:.0f} are allowed", rate_hz,
                         kMaxSampleRate_hz));
   }
 
@@ -51,7 +51,7 @@ class BoundsChecker {
     first_s_ = std::fmin(first_s_, time.front());
     last_s_ = std::fmax(last_s_, time.back());
     require(last_s_ - first_s_ <= kMaxDuration_s, path + "time",
-            fmt::format("the streams span {:.6g} s: more than {:.0f} are not worked on",
+            fmt::format("the streams span {:.6g} s; at most {:.0f} s are allowed",
                         last_s_ - first_s_, kMaxDuration_s));
   }
 
@@ -75,21 +75,21 @@ class BoundsChecker {
     time(path, o.time);
     for (std::size_t i = 0; i < o.position.size(); ++i)
       require(is_in_bounds(o.position[i]), path + "position",
-              fmt::format("row {}: is no place", i + 1));
+              fmt::format("row {}: is not a possible position", i + 1));
     for (std::size_t i = 0; i < o.orientation.size(); ++i)
       require(is_rotation(o.orientation[i]), path + "orientation",
-              fmt::format("row {}: is no rotation", i + 1));
+              fmt::format("row {}: is not a rotation", i + 1));
     for (const double length : o.size)
       require(length > 0 && length <= kMaxObjectSize_m, path + "@size",
-              fmt::format("{} m is no size", length));
+              fmt::format("{} m is not a possible size", length));
     for (const Vec3& vertex : o.vertices)
-      require(is_in_bounds(vertex), path + "vertices", "one is no place");
+      require(is_in_bounds(vertex), path + "vertices", "a vertex is not a possible position");
   }
 
   void check_segment_length(const char* name, const std::optional<double>& length_m) {
     require(!length_m || (*length_m > 0 && *length_m <= kMaxBodySegment_m),
             fmt::format("@{}", name),
-            fmt::format("{} m is no length of a person", length_m.value_or(0)));
+            fmt::format("{} m is not a possible length of a body segment", length_m.value_or(0)));
   }
 
   const std::string& fault() const { return fault_; }
@@ -97,8 +97,8 @@ class BoundsChecker {
  private:
   static bool good(const Vec3& point) { return is_in_bounds(point); }
   static bool good(const Quat& q) { return is_rotation(q); }
-  static const char* complaint(const Vec3&) { return "a point is no place"; }
-  static const char* complaint(const Quat&) { return "a rotation is none"; }
+  static const char* complaint(const Vec3&) { return "a point is not a possible position"; }
+  static const char* complaint(const Quat&) { return "a rotation is not a unit quaternion"; }
 
   template <class T>
   void rows(const std::string& place, const Array2D<T>& table) {
@@ -141,7 +141,7 @@ std::string bounds_violation(const Demonstration& d) {
   look.check_segment_length("hand_breadth", d.hand_breadth);
   for (const Label& label : d.labels)
     look.require(!(std::abs(label.begin_s) > kMaxTime_s) && !(std::abs(label.end_s) > kMaxTime_s),
-                 "labels", "one has no time");
+                 "labels", "a label has an impossible time");
   return look.fault();
 }
 

@@ -217,7 +217,7 @@ class LayoutReader {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       if constexpr (NamedEnum<Member>) {
         const std::optional<Member> value = enum_from_name<Member>(values[i]);
-        if (!value) group_.fail(name, fmt::format("holds '{}', which is not known", values[i]));
+        if (!value) group_.fail(name, fmt::format("has the unknown value '{}'", values[i]));
         rows[i].*member = *value;
       } else {
         rows[i].*member = static_cast<Member>(std::move(values[i]));
@@ -245,7 +245,7 @@ class LayoutReader {
   void attribute(const char* name, Vec3& value) {
     std::vector<double> values;
     group_.get(name, values);
-    if (values.size() != 3) group_.fail(fmt::format("@{} does not hold 3 numbers", name));
+    if (values.size() != 3) group_.fail(fmt::format("@{} must have 3 numbers", name));
     ItemCodec<Vec3>::decode(values.data(), value);
   }
   /// Reads a flag, which is stored only if it is true.
@@ -271,7 +271,7 @@ class LayoutReader {
     std::string text;
     group_.get(name, text);
     const std::optional<E> known = enum_from_name<E>(text);
-    if (!known) group_.fail(fmt::format("@{} is '{}', which is not known", name, text));
+    if (!known) group_.fail(fmt::format("@{} has the unknown value '{}'", name, text));
     value = *known;
   }
   /// Reads an optional attribute.

@@ -15,14 +15,14 @@ namespace morphe::store {
 namespace {
 
 constexpr const char* kPlanFormat = "morphe-plans";
-constexpr int kPlanVersion = 1;
+constexpr int kPlanVersion = 2;
 
 /// Parses a movement's name: "000" -> 0.
 int movement_index(const Hdf5Group& demonstration, const std::string& name) {
   int index = -1;
   const auto parsed = std::from_chars(name.data(), name.data() + name.size(), index);
   if (parsed.ec != std::errc() || fmt::format("{:03}", index) != name)
-    demonstration.fail(name, "is not the number of a movement, 000…");
+    demonstration.fail(name, "is not the number of a movement (000, 001, …)");
   return index;
 }
 

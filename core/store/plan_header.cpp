@@ -15,7 +15,7 @@ void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> in
   for (PlanFileHeader::Input& input : inputs) {
     while (input.path.starts_with("./")) input.path.erase(0, 2);
     if (input.path.empty() || input.path == "." || input.path.front() == '/')
-      folder.fail(fmt::format("'{}' is not a relative path of a file", input.path));
+      folder.fail(fmt::format("'{}' is not a relative file path", input.path));
   }
   while (!inputs.empty()) {
     const PlanFileHeader::Input input = inputs.front();
@@ -40,9 +40,9 @@ void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> in
 /// Reads the inputs; `left` is the number of members that may still be visited.
 void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& left,
                  std::vector<PlanFileHeader::Input>& inputs) {
-  if (depth > kMaxFolderDepth) folder.fail("lies too deep");
+  if (depth > kMaxFolderDepth) folder.fail("is nested too deeply");
   for (const std::string& name : folder.children()) {
-    if (--left < 0) folder.fail("holds too many files");
+    if (--left < 0) folder.fail("has too many files");
     if (folder.is_group(name)) {
       read_inputs(folder.open(name), prefix + name + "/", depth + 1, left, inputs);
     } else {

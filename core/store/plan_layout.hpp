@@ -12,11 +12,13 @@ namespace morphe::store {
 template <class Io, class T>
 void lay_out_goals(Io& io, T& goals) {
   io.attribute("common_base_offset", goals.common_base_offset);
-  io.optional_attribute("free_offset", goals.free_offset);
+  io.optional_attribute("base_offset", goals.base_offset);
   io.dataset("time", goals.time, {"s", "", ""});
   io.dataset("tip_position", goals.tip_position, {"m", "base", ""});
-  io.dataset_if(goals.pad_share.rows > 0, "pad_share", goals.pad_share, {"1", "", ""});
-  io.dataset_if(!goals.closed.empty(), "closed", goals.closed, {"1", "", "0=no,1=yes"});
+  io.dataset_if(goals.tip_to_pad_share.rows > 0, "tip_to_pad_share", goals.tip_to_pad_share,
+                {"1", "", ""});
+  io.dataset_if(!goals.auto_closed.empty(), "auto_closed", goals.auto_closed,
+                {"1", "", "0=no,1=yes"});
   io.dataset("tip_orientation", goals.tip_orientation, {"1", "base", ""});
   io.dataset("reachable", goals.reachable, {"1", "", "0=no,1=yes"});
   io.dataset("shoulder_position", goals.shoulder_position, {"m", "base", ""});
@@ -29,19 +31,19 @@ void lay_out_goals(Io& io, T& goals) {
 
 /// Lays out the reference frames.
 template <class Io, class T>
-void lay_out_world(Io& io, T& world) {
-  io.dataset("recording", world.base_from_world, {"m", "base", ""});
-  io.dataset("table", world.base_from_table, {"m", "base", ""});
-  io.dataset("target", world.base_from_target, {"m", "base", ""});
-  io.dataset("shoulder", world.shoulder, {"m", "base", ""});
+void lay_out_reference_frames(Io& io, T& frames) {
+  io.dataset("recording", frames.base_from_world, {"m", "base", ""});
+  io.dataset("table", frames.base_from_table, {"m", "base", ""});
+  io.dataset("target", frames.base_from_target, {"m", "base", ""});
+  io.dataset("shoulder", frames.shoulder, {"m", "base", ""});
 }
 
 /// Lays out the mapped path.
 template <class Io, class T>
 void lay_out_mapped(Io& io, T& mapped) {
   io.dataset("position", mapped.position, joint_attributes());
-  io.dataset("position_error", mapped.position_error, {"m", "", ""});
-  io.dataset("orientation_error", mapped.orientation_error, {"rad", "", ""});
+  io.dataset("tip_error", mapped.tip_error, {"m", "", ""});
+  io.dataset("tip_orientation_error", mapped.tip_orientation_error, {"rad", "", ""});
   io.dataset("objective", mapped.objective, {"1", "", ""});
   io.dataset("humanlikeness", mapped.humanlikeness, {"m^2,m^2,m^3", "", ""});
   io.dataset("status", mapped.status, {"1", "", meaning<FrameStatus>()});
@@ -53,25 +55,25 @@ void lay_out_findings(Io& io, T& findings) {
   io.column("begin_s", findings, &Finding::begin_s, {"s", "", ""});
   io.column("end_s", findings, &Finding::end_s, {"s", "", ""});
   io.column("cause", findings, &Finding::cause, {});
-  io.column("first", findings, &Finding::first, {});
-  io.column("second", findings, &Finding::second, {});
-  io.column("depth", findings, &Finding::depth, {"m or rad", "", ""});
+  io.column("subject", findings, &Finding::subject, {});
+  io.column("other_body", findings, &Finding::other_body, {});
+  io.column("excess", findings, &Finding::excess, {"m or rad", "", ""});
 }
 
 /// Lays out the repair steps.
 template <class Io, class T>
 void lay_out_repair(Io& io, T& steps) {
-  io.column("level", steps, &RepairStep::level, {"1", "", "0=rung,1=attempt"});
+  io.column("level", steps, &RepairStep::level, {"1", "", "0=strategy,1=attempt"});
   io.column("name", steps, &RepairStep::name, {});
   io.column("begin_s", steps, &RepairStep::begin_s, {"s", "", ""});
   io.column("end_s", steps, &RepairStep::end_s, {"s", "", ""});
-  io.column("change", steps, &RepairStep::change, joint_attributes());
-  io.column("findings", steps, &RepairStep::findings, {"1", "", ""});
-  io.column("collisions", steps, &RepairStep::collisions, {"m", "", ""});
-  io.column("others", steps, &RepairStep::others, {"m or rad", "", ""});
-  io.column("worst", steps, &RepairStep::worst, {});
-  io.column("kept", steps, &RepairStep::kept, {"1", "", "0=no,1=yes"});
-  io.column("ended", steps, &RepairStep::ended, {});
+  io.column("max_joint_change", steps, &RepairStep::max_joint_change, joint_attributes());
+  io.column("finding_count", steps, &RepairStep::finding_count, {"1", "", ""});
+  io.column("collision_depth_sum", steps, &RepairStep::collision_depth_sum, {"m", "", ""});
+  io.column("other_depth_sum", steps, &RepairStep::other_depth_sum, {"m or rad", "", ""});
+  io.column("worst_finding", steps, &RepairStep::worst_finding, {});
+  io.column("accepted", steps, &RepairStep::accepted, {"1", "", "0=no,1=yes"});
+  io.column("stop_reason", steps, &RepairStep::stop_reason, {});
 }
 
 /// Lays out the contacts of a grasp.
@@ -80,29 +82,29 @@ void lay_out_contacts(Io& io, T& contacts) {
   io.column("tip", contacts, &PadContact::tip, {});
   io.column("link", contacts, &PadContact::link, {});
   io.column("origin", contacts, &PadContact::origin, {});
-  io.column("asked", contacts, &PadContact::asked, {"m", "object", ""});
+  io.column("desired_point", contacts, &PadContact::desired_point, {"m", "object", ""});
   io.column("point", contacts, &PadContact::point, {"m", "object", ""});
   io.column("normal", contacts, &PadContact::normal, {"1", "object", ""});
-  io.column("gap", contacts, &PadContact::gap, {"m", "", ""});
+  io.column("signed_distance", contacts, &PadContact::signed_distance, {"m", "", ""});
   io.column("pad_angle", contacts, &PadContact::pad_angle, {"rad", "", ""});
   io.column("confidence", contacts, &PadContact::confidence, {"1", "", ""});
-  io.column("force", contacts, &PadContact::force, {"N", "", ""});
-  io.column("friction", contacts, &PadContact::friction, {"N", "object", ""});
+  io.column("normal_force", contacts, &PadContact::normal_force, {"N", "", ""});
+  io.column("friction_force", contacts, &PadContact::friction_force, {"N", "object", ""});
 }
 
 /// Lays out the grasp quality.
 template <class Io, class T>
 void lay_out_quality(Io& io, T& quality) {
-  io.attribute("friction", quality.friction);
-  io.attribute("torsion", quality.torsion);
+  io.attribute("friction_coefficient", quality.friction_coefficient);
+  io.attribute("torsional_friction", quality.torsional_friction);
   io.attribute("mass", quality.mass);
-  io.attribute("centre", quality.centre);
-  io.attribute("torque_scale", quality.torque_scale);
+  io.attribute("centre_of_mass", quality.centre_of_mass);
+  io.attribute("characteristic_length", quality.characteristic_length);
   io.attribute("epsilon_lower", quality.epsilon_lower);
   io.attribute("epsilon_upper", quality.epsilon_upper);
-  io.attribute("needed_worst", quality.needed_worst);
-  io.attribute("needed_down", quality.needed_down);
-  io.attribute("given", quality.given);
+  io.attribute("required_force_worst", quality.required_force_worst);
+  io.attribute("required_force_gravity", quality.required_force_gravity);
+  io.attribute("available_force", quality.available_force);
 }
 
 /// Lays out the grasp.
@@ -111,17 +113,17 @@ void lay_out_grasp(Io& io, T& grasp) {
   io.attribute("sample", grasp.sample);
   io.attribute("approach_direction", grasp.approach_direction);
   io.dataset("object_pose", grasp.base_from_object, {"m", "base", ""});
-  io.dataset("wrist_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
+  io.dataset("palm_pose_in_object", grasp.object_from_palm, {"m", "object", ""});
   io.dataset("tips_in_object", grasp.tips_in_object, {"m", "object", ""});
-  io.dataset("hand_posture", grasp.hand_posture, joint_attributes());
+  io.dataset("grasp_posture", grasp.grasp_posture, joint_attributes());
   io.dataset("pregrasp_posture", grasp.pregrasp_posture, joint_attributes());
   io.group_if(!grasp.contacts.empty(), "contacts",
               [&](Io& in) { lay_out_contacts(in, grasp.contacts); });
   io.group_if(!grasp.contacts.empty(), "quality",
               [&](Io& in) { lay_out_quality(in, grasp.quality); });
-  io.group_if(grasp.squeeze_torque.size() > 0, "squeeze", [&](Io& in) {
-    in.dataset("torque", grasp.squeeze_torque, {"N m", "", ""});
-    in.dataset("servo_target", grasp.squeeze_posture, joint_attributes());
+  io.group_if(grasp.grasp_torque.size() > 0, "grasp_force", [&](Io& in) {
+    in.dataset("torque", grasp.grasp_torque, {"N m", "", ""});
+    in.dataset("servo_target", grasp.servo_target, joint_attributes());
   });
 }
 
@@ -141,19 +143,19 @@ void lay_out_trajectory(Io& io, T& trajectory) {
 /// Lays out the certificate.
 template <class Io, class T>
 void lay_out_certificate(Io& io, T& certificate) {
-  io.attribute("position_margin", certificate.position_margin);
+  io.attribute("joint_limit_margin", certificate.joint_limit_margin);
   io.attribute("velocity_ratio", certificate.velocity_ratio);
   io.attribute("acceleration_ratio", certificate.acceleration_ratio);
   io.attribute("jerk_ratio", certificate.jerk_ratio);
   io.attribute("clearance", certificate.clearance);
-  io.attribute("position_error_max", certificate.position_error_max);
-  io.attribute("position_error_mean", certificate.position_error_mean);
-  io.attribute("position_error_grasp", certificate.position_error_grasp);
-  io.attribute("orientation_error_max", certificate.orientation_error_max);
+  io.attribute("tip_error_max", certificate.tip_error_max);
+  io.attribute("tip_error_mean", certificate.tip_error_mean);
+  io.attribute("tip_error_grasp", certificate.tip_error_grasp);
+  io.attribute("tip_orientation_error_max", certificate.tip_orientation_error_max);
   io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
   io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
   io.attribute("natural_posture_error", certificate.natural_posture_error);
-  io.attribute("tempo", certificate.tempo);
+  io.attribute("duration_ratio", certificate.duration_ratio);
   io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
   io.attribute("humanlikeness_final", certificate.humanlikeness_final);
   io.attribute("sparc_robot", certificate.sparc_robot);
@@ -185,19 +187,19 @@ void lay_out_plan(Io& io, T& plan) {
   io.attribute("subject", plan.subject);
   io.attribute("task", plan.task);
   io.attribute("hand", plan.hand);
-  io.attribute("start_s", plan.movement.begin_s);
+  io.attribute("begin_s", plan.movement.begin_s);
   io.attribute("end_s", plan.movement.end_s);
   io.attribute("target", plan.movement.target);
-  io.attribute("margin", plan.tolerances.margin);
-  io.attribute("contact_depth", plan.tolerances.contact_depth);
-  io.attribute("tracking_grasp", plan.tolerances.tracking_grasp);
-  io.attribute("tracking", plan.tolerances.tracking);
+  io.attribute("required_clearance", plan.tolerances.required_clearance);
+  io.attribute("max_penetration", plan.tolerances.max_penetration);
+  io.attribute("tracking_tolerance_grasp", plan.tolerances.tracking_tolerance_grasp);
+  io.attribute("tracking_tolerance", plan.tolerances.tracking_tolerance);
   if constexpr (Io::reading) {  // files of earlier versions do not contain these
-    plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kUnknown;
+    plan.tolerances.max_unreachable_share = plan.tolerances.max_tip_error = kUnknown;
   }
-  io.optional_attribute("link_depth", plan.tolerances.link_depth);
-  io.optional_attribute("out_of_reach_share", plan.tolerances.out_of_reach_share);
-  io.optional_attribute("farthest_tip", plan.tolerances.farthest_tip);
+  io.optional_attribute("max_link_penetration", plan.tolerances.max_link_penetration);
+  io.optional_attribute("max_unreachable_share", plan.tolerances.max_unreachable_share);
+  io.optional_attribute("max_tip_error", plan.tolerances.max_tip_error);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
     in.column("name", plan.movement.phases, &Phase::kind, {});
@@ -209,13 +211,13 @@ void lay_out_plan(Io& io, T& plan) {
     in.each(plan.scene.objects,
             [](Io& inner, auto& object) { lay_out_object(inner, object, "base"); });
   });
-  io.group_if(is_known(plan.world.base_from_world), "world",
-              [&](Io& in) { lay_out_world(in, plan.world); });
+  io.group_if(is_known(plan.reference_frames.base_from_world), "reference_frames",
+              [&](Io& in) { lay_out_reference_frames(in, plan.reference_frames); });
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
   io.group_if(!plan.repair.empty(), "repair", [&](Io& in) { lay_out_repair(in, plan.repair); });
-  io.group_if(!plan.remaining.empty(), "remaining",
-              [&](Io& in) { lay_out_findings(in, plan.remaining); });
+  io.group_if(!plan.remaining_findings.empty(), "remaining_findings",
+              [&](Io& in) { lay_out_findings(in, plan.remaining_findings); });
   io.group("path", [&](Io& in) {
     in.dataset("position", plan.path.position, joint_attributes());
     in.dataset("origin", plan.path.origin, {"1", "", meaning<SampleOrigin>()});

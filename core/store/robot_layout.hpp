@@ -27,8 +27,8 @@ void lay_out_robot(Io& io, T& robot) {
     in.column("joint", robot.frames, &Frame::joint, {"1", "", ""});
     in.column("ratio", robot.frames, &Frame::ratio, {"1", "", ""});
     in.column("offset", robot.frames, &Frame::offset, joint_attributes());
-    in.column_if(robot.has_prismatic_joint(), "slides", robot.frames, &Frame::slides,
-                 {"1", "", "0=turns,1=slides"});
+    in.column_if(robot.has_prismatic_joint(), "prismatic", robot.frames, &Frame::prismatic,
+                 {"1", "", "0=revolute,1=prismatic"});
   });
   io.group_if(!robot.coupled_limits.empty(), "coupled_limits", [&](Io& in) {
     using Limit = RobotModel::CoupledLimit;
@@ -42,8 +42,10 @@ void lay_out_robot(Io& io, T& robot) {
   io.group_if(!robot.braking_curves.empty(), "braking_curves", [&](Io& in) {
     using Curve = RobotModel::BrakingCurve;
     in.column("joint", robot.braking_curves, &Curve::joint, {"1", "", ""});
-    in.column("slope", robot.braking_curves, &Curve::slope, joint_attributes("/s^2"));
-    in.column("drop", robot.braking_curves, &Curve::drop, joint_attributes("/s"));
+    in.column("twice_deceleration", robot.braking_curves, &Curve::twice_deceleration,
+              joint_attributes("/s^2"));
+    in.column("velocity_offset", robot.braking_curves, &Curve::velocity_offset,
+              joint_attributes("/s"));
     in.column("lower_end", robot.braking_curves, &Curve::lower_end, joint_attributes());
     in.column("upper_end", robot.braking_curves, &Curve::upper_end, joint_attributes());
   });
@@ -54,12 +56,12 @@ void lay_out_robot(Io& io, T& robot) {
     in.column("transform", robot.tips, &Tip::transform, {"m", "joint", ""});
     in.column("finger", robot.tips, &Tip::finger,
               {"1", "", "-1=wrist,0=thumb,1=index,2=middle,3=ring,4=little"});
-    in.column("along", robot.tips, &Tip::along, {"1", "", ""});
+    in.column("finger_curve_share", robot.tips, &Tip::finger_curve_share, {"1", "", ""});
   });
-  io.group("centres", [&](Io& in) {
+  io.group("joint_centres", [&](Io& in) {
     using Centre = RobotModel::JointCentre;
-    in.column("frame", robot.centres, &Centre::frame, {"1", "", ""});
-    in.column("chain", robot.centres, &Centre::chain, {});
+    in.column("frame", robot.joint_centres, &Centre::frame, {"1", "", ""});
+    in.column("chain", robot.joint_centres, &Centre::chain, {});
   });
   io.group("capsules", [&](Io& in) {
     using Capsule = RobotModel::Capsule;
@@ -71,7 +73,7 @@ void lay_out_robot(Io& io, T& robot) {
     in.column("may_touch_target", robot.capsules, &Capsule::may_touch_target,
               {"1", "", "0=no,1=yes"});
   });
-  io.dataset("allowed_pairs", robot.allowed_pairs, {"1", "", ""});
+  io.dataset("allowed_collision_pairs", robot.allowed_collision_pairs, {"1", "", ""});
   io.optional_names("unchecked_links", robot.unchecked_links);
 }
 

@@ -74,7 +74,7 @@ void probe_in_sandbox(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error) || !has_hdf5_signature(file)) return;
   const std::string fault = files::child_read_error(file, [&] { read_everything(file); });
-  if (!fault.empty()) throw InputError(fmt::format("{}: is not read: {}", file.string(), fault));
+  if (!fault.empty()) throw InputError(fmt::format("{}: cannot be read: {}", file.string(), fault));
 }
 
 }  // namespace morphe::store

@@ -20,7 +20,7 @@ std::string without_numbers(const std::string& sentence) {
 
 void Assumptions::add(const Demonstration& demonstration) {
   std::set<std::size_t> here;
-  for (const std::string& sentence : demonstration.reports) {
+  for (const std::string& sentence : demonstration.import_notes) {
     const auto [at, is_new] = at_.emplace(without_numbers(sentence), said_.size());
     if (is_new) said_.push_back({demonstration.name, sentence, 0});
     if (here.insert(at->second).second) ++said_[at->second].recordings;

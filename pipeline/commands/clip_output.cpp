@@ -36,7 +36,7 @@ struct Skeleton {
   BodyStream build(const std::vector<double>& time) {
     const std::size_t rows = time.size(), joints = body.names.size();
     body.time = time;
-    body.rebuilt = true;
+    body.reconstructed = true;
     body.parents.assign(joints, "");
     body.position = Array2D<Vec3>(rows, joints, unknown_point());
     body.orientation = Array2D<Quat>(rows, joints, unknown_rotation());
@@ -99,11 +99,11 @@ Demonstration reconstructed_joints(const Demonstration& demonstration) {
   joints.streams = std::move(arm.streams);
   joints.calibration = {};
   joints.sensor_offsets.reset();
-  joints.reports.emplace_back("joints as Morphe rebuilt them from the recording");
-  joints.reports.insert(joints.reports.end(), motion.reconstruction_notes.begin(),
-                        motion.reconstruction_notes.end());
+  joints.import_notes.emplace_back("joints as Morphe reconstructed them from the recording");
+  joints.import_notes.insert(joints.import_notes.end(), motion.reconstruction_notes.begin(),
+                             motion.reconstruction_notes.end());
   if (!motion.estimated.empty()) {
-    joints.reports.push_back(
+    joints.import_notes.push_back(
         fmt::format("estimated, not recorded: {}", fmt::join(motion.estimated, ", ")));
   }
   return joints;
@@ -112,7 +112,7 @@ Demonstration reconstructed_joints(const Demonstration& demonstration) {
 void ClipOutput::add(const Demonstration& demonstration) {
   const std::string& name = demonstration.name;
   if (name.find('/') != std::string::npos || name.starts_with('.')) {
-    throw InputError(fmt::format("{}: '{}' can be no file's name", folder_.string(), name));
+    throw InputError(fmt::format("{}: '{}' cannot be a file name", folder_.string(), name));
   }
   const Demonstration joints = reconstructed_joints(demonstration);
   if (!imports::can_write_clip(joints)) {
@@ -122,7 +122,7 @@ void ClipOutput::add(const Demonstration& demonstration) {
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
   if (error) {
-    throw InputError(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
+    throw InputError(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
   }
   imports::write_clip(joints, folder_ / (name + ".npz"));
   ++written_;
@@ -131,8 +131,8 @@ void ClipOutput::add(const Demonstration& demonstration) {
 std::string ClipOutput::text() const {
   std::string text = fmt::format("{}: {}\n", folder_.string(), count_with_noun(written_, "clip"));
   for (const std::string& name : without_clip_) {
-    text +=
-        fmt::format("  {}: no clip: it holds no joints, and none can be rebuilt from it\n", name);
+    text += fmt::format(
+        "  {}: no clip written: it has no joints, and they cannot be reconstructed\n", name);
   }
   return text;
 }

@@ -18,11 +18,13 @@ Command diff_command(CLI::App& app) {
     bool json = false, all = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("A", arguments->first, "plans.h5, or a run's folder")->required();
-  app.add_option("B", arguments->second, "The same, to compare it with")->required();
-  app.add_flag("--all", arguments->all, "Every dataset that differs, by how much and where");
+  app.add_option("A", arguments->first, "plans.h5 or the folder of a run")->required();
+  app.add_option("B", arguments->second, "The plans.h5 or run folder to compare with it")
+      ->required();
+  app.add_flag("--all", arguments->all,
+               "List every dataset that differs, with the largest change and its place");
   add_row_options(app, arguments->choice);
-  app.add_flag("--json", arguments->json, "Print JSON, all of it");
+  app.add_flag("--json", arguments->json, "Print JSON (complete)");
   return [arguments] {
     check_selection(arguments->choice);
     const PlanDiff diff =

@@ -9,9 +9,8 @@ using Json = nlohmann::ordered_json;
 
 Json side_json(const std::optional<PlanRow>& row) {
   if (!row) return nullptr;
-  Json json{{"status", row->status},
-            {"reason", row->reason},
-            {"against_estimate", row->against_estimate}};
+  Json json{
+      {"status", row->status}, {"reason", row->reason}, {"arm_estimated", row->arm_estimated}};
   for (std::size_t k = 0; k < kPlanFigureCount; ++k)
     json[std::string(plan_figures()[k].key)] = row->figures[k];
   return json;
@@ -62,22 +61,22 @@ std::string diff_json(const PlanDiff& diff) {
   json["in_both"] = both;
   json["only_in_first"] = only_first;
   json["only_in_second"] = only_second;
-  json["config"] = diff.config;
-  json["files"] = diff.file;
-  json["status"] = status_json(diff);
+  json["config_changes"] = diff.config_changes;
+  json["file_changes"] = diff.file_changes;
+  json["status_changes"] = status_json(diff);
   json["figures"] = Json::object();
   for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
     const FigureChange& change = diff.figures[k];
     json["figures"][std::string(plan_figures()[k].key)] = {{"plans", change.plans},
                                                            {"median_first", change.median_first},
                                                            {"median_second", change.median_second},
-                                                           {"largest", change.largest},
+                                                           {"max_change", change.max_change},
                                                            {"plan", change.plan}};
   }
   json["rows"] = rows;
-  json["plans"] = Json::array();
+  json["differences"] = Json::array();
   for (const run::Difference& difference : diff.dataset_differences.differences)
-    json["plans"].push_back(data_json(difference));
+    json["differences"].push_back(data_json(difference));
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -60,8 +60,10 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
   if (first > 0) text += fmt::format("; {} only in A", first);
   if (second > 0) text += fmt::format("; {} only in B", second);
   text += "\n";
-  if (!diff.config.empty()) text += fmt::format("config: {}\n", fmt::join(diff.config, ", "));
-  if (!diff.file.empty()) text += fmt::format("files: {}\n", fmt::join(diff.file, ", "));
+  if (!diff.config_changes.empty())
+    text += fmt::format("config: {}\n", fmt::join(diff.config_changes, ", "));
+  if (!diff.file_changes.empty())
+    text += fmt::format("files: {}\n", fmt::join(diff.file_changes, ", "));
   return text;
 }
 
@@ -84,18 +86,20 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   if (lost > 0) text += fmt::format("{} no longer executable:\n{}", plans(lost), worse);
   if (won > 0) text += fmt::format("{} executable now:\n{}", plans(won), better);
   if (changed > 0)
-    text += fmt::format("{} otherwise of another status:\n{}", plans(changed), other);
+    text += fmt::format(
+        "{} with another change of status:\n"
+        "{}",
+        plans(changed), other);
   return text;
 }
 
 /// Returns true if the arm with which the plan is compared is estimated in one of the files.
-bool against_estimate(const PlanPair& pair) {
-  return (pair.first && pair.first->against_estimate) ||
-         (pair.second && pair.second->against_estimate);
+bool arm_estimated(const PlanPair& pair) {
+  return (pair.first && pair.first->arm_estimated) || (pair.second && pair.second->arm_estimated);
 }
 
 std::string figures_text(const PlanDiff& diff, std::size_t width) {
-  const bool estimate = std::ranges::any_of(diff.pairs, against_estimate);
+  const bool estimate = std::ranges::any_of(diff.pairs, arm_estimated);
   TextTable table;
   table.columns = {{"", "", true, 0},         {"", "", true, 0},
                    {"median", "A", false, 0}, {"", "B", false, 0},
@@ -110,14 +114,15 @@ std::string figures_text(const PlanDiff& diff, std::size_t width) {
           format_figure(figure, change.median_first, estimate),
           format_figure(figure, change.median_second, estimate),
           change_text(figure, change.median_second - change.median_first),
-          change_text(figure, change.largest), change.plan, fmt::format("{}", change.plans)},
+          change_text(figure, change.max_change), change.plan, fmt::format("{}", change.plans)},
          {}});
   }
   return table.rows.empty() ? "" : table_text(table, width);
 }
 
 /// The columns that are dropped first on a narrow terminal.
-constexpr std::array<std::string_view, 3> kOptionalColumns{"mapped", "step", "tips_mean"};
+constexpr std::array<std::string_view, 3> kOptionalColumns{"mapped_tip_error", "max_joint_step",
+                                                           "tip_error_mean"};
 
 /// Returns a table of B - A for each plan.
 std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
@@ -127,10 +132,11 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
     const std::string name(figure.name);
     const std::size_t blank = name.find(' ');
     const bool one = blank == std::string::npos;
-    const std::string rest = one ? "" : name.substr(blank + 1) + " ";
+    const std::string rest = one ? "" : name.substr(blank + 1);
+    const std::string gap = rest.empty() || figure.unit.empty() ? "" : " ";
     const bool spare = std::ranges::find(kOptionalColumns, figure.key) != kOptionalColumns.end();
     table.columns.push_back(
-        {name.substr(0, blank), rest + std::string(figure.unit), false, spare ? 3 : 1});
+        {name.substr(0, blank), rest + gap + std::string(figure.unit), false, spare ? 3 : 1});
   }
   std::size_t hidden = 0;
   for (const PlanPair& pair : pairs) {
@@ -147,13 +153,13 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
     for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
       const PlanFigure& figure = plan_figures()[k];
       const std::string text = change_text(figure, pair.change(k));
-      const bool marked = figure.uses_human_arm && text.size() > 1 && against_estimate(pair);
+      const bool marked = figure.uses_human_arm && text.size() > 1 && arm_estimated(pair);
       row.cells.push_back(marked ? "~" + text : text);
     }
   }
   std::string text = table.rows.empty() ? "" : "\n" + table_text(table, width);
   if (hidden > 0)
-    text += fmt::format("{} {} the same in all these figures\n", plans(hidden),
+    text += fmt::format("{} {} equal in all these figures\n", plans(hidden),
                         hidden == 1 ? "is" : "are");
   return text;
 }
@@ -163,7 +169,7 @@ std::string amount_text(const run::Difference& difference) {
   const bool metres = difference.unit == "m";
   const std::string unit = metres ? "mm" : difference.unit == "1" ? "" : difference.unit;
   const double scale = metres ? 1e3 : 1;
-  return fmt::format("at most {:.6g}{}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
+  return fmt::format("max change {:.6g}{}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
                      unit.empty() ? "" : " ", unit, scale * difference.first,
                      scale * difference.second, difference.location.empty() ? "" : " at ",
                      difference.location);
@@ -194,8 +200,9 @@ std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, 
   std::string text = counts_text(diff, differing);
   if (!differing.empty())
     text += status_text(diff.pairs, width) + figures_text(diff, width) + rows_text(pairs, width);
-  return text +
-         (all ? datasets_text(diff, pairs) : "(--all: every dataset, by how much and where)\n");
+  return text + (all ? datasets_text(diff, pairs)
+                     : "(--all lists every dataset that differs, with the largest change and its "
+                       "place)\n");
 }
 
 }  // namespace morphe::commands

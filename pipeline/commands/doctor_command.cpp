@@ -32,8 +32,8 @@ constexpr const char* kReferencePipeline = "configs/pipelines/pa10_dlr_hit2.yaml
 /// The result of one check. `error`: Morphe cannot work; `note`: it works, but slowly or with
 /// restrictions.
 struct SystemCheck {
-  enum class Kind { fine, note, error } kind = Kind::fine;
-  std::string what, found, to_do;
+  enum class Status { ok, warning, error } status = Status::ok;
+  std::string name, detail, remedy;
 };
 
 SystemCheck check_cores() {
@@ -43,11 +43,11 @@ SystemCheck check_cores() {
   unsigned usable = all;
   if (::sched_getaffinity(0, sizeof allowed, &allowed) == 0)
     usable = static_cast<unsigned>(CPU_COUNT(&allowed));
-  SystemCheck symptom{SystemCheck::Kind::fine, "cores", count_with_noun(usable, "core"), ""};
+  SystemCheck symptom{SystemCheck::Status::ok, "cores", count_with_noun(usable, "core"), ""};
   if (usable < all) {
-    symptom.kind = SystemCheck::Kind::note;
-    symptom.found += fmt::format(" of {}", all);
-    symptom.to_do = fmt::format("this process may use no more; give --jobs {}", usable);
+    symptom.status = SystemCheck::Status::warning;
+    symptom.detail += fmt::format(" of {}", all);
+    symptom.remedy = fmt::format("this process may use only these; give --jobs {}", usable);
   }
   return symptom;
 }
@@ -56,54 +56,53 @@ SystemCheck check_memory() {
   struct sysinfo info {};
   ::sysinfo(&info);
   const double all_GB = 1e-9 * static_cast<double>(info.totalram) * info.mem_unit;
-  SystemCheck symptom{SystemCheck::Kind::fine, "memory", fmt::format("{:.1f} GB", all_GB), ""};
+  SystemCheck symptom{SystemCheck::Status::ok, "memory", fmt::format("{:.1f} GB", all_GB), ""};
   if (all_GB < 1) {
-    symptom.kind = SystemCheck::Kind::note;
-    symptom.to_do = "little: give --jobs 1";
+    symptom.status = SystemCheck::Status::warning;
+    symptom.remedy = "less than 1 GB: give --jobs 1";
   }
   return symptom;
 }
 
 /// Checks the shipped files and all files that a config loads.
 SystemCheck check_shipped_files() {
-  SystemCheck symptom{SystemCheck::Kind::fine, "shipped files", "", ""};
+  SystemCheck symptom{SystemCheck::Status::ok, "shipped files", "", ""};
   try {
     const fs::path file = files::resolve_data_file(kReferencePipeline);
     const planning::LoadedConfig config = planning::load_config(file);
     const fs::path configs = file.parent_path().parent_path();
-    symptom.found = fmt::format("{}; {} loads", fs::absolute(configs).lexically_normal().string(),
-                                config.robot.name);
+    symptom.detail = fmt::format("{}; {} loads", fs::absolute(configs).lexically_normal().string(),
+                                 config.robot.name);
   } catch (const std::exception& error) {
-    symptom.kind = SystemCheck::Kind::note;
-    symptom.found = error.what();
-    symptom.to_do =
-        "work in Morphe's source folder, or install it (cmake --install, or its package): then "
-        "they "
-        "are found from everywhere";
+    symptom.status = SystemCheck::Status::warning;
+    symptom.detail = error.what();
+    symptom.remedy =
+        "work in Morphe's source folder, or install Morphe (cmake --install, or its package), so "
+        "that they are found from every folder";
   }
   return symptom;
 }
 
 /// Checks a folder by writing a result as a run does, with HDF5 and a journal.
-SystemCheck check_folder_writable(const char* what, const fs::path& folder) {
-  SystemCheck symptom{SystemCheck::Kind::fine, what, folder.string(), ""};
+SystemCheck check_folder_writable(const char* name, const fs::path& folder) {
+  SystemCheck symptom{SystemCheck::Status::ok, name, folder.string(), ""};
   const fs::path tried = folder / fmt::format("morphe_doctor_{}", ::getpid());
   const files::UnfinishedPath unfinished(tried);
   try {
-    if (!fs::create_directory(tried)) throw InputError(tried.string() + ": cannot be made");
+    if (!fs::create_directory(tried)) throw InputError(tried.string() + ": cannot be created");
     files::write_atomically(tried / "text", "text");
     store::Hdf5File::create(tried / "file.h5").close();
     run::Database(tried / "journal.sqlite", run::DatabaseUse::write).run("CREATE TABLE t(x)");
     const double free_GB = 1e-9 * static_cast<double>(fs::space(folder).available);
-    symptom.found += fmt::format(", {:.1f} GB free", free_GB);
+    symptom.detail += fmt::format(", {:.1f} GB free", free_GB);
     if (free_GB < 0.1) {
-      symptom.kind = SystemCheck::Kind::note;
-      symptom.to_do = "make room: a thousand plans take about 100 MB";
+      symptom.status = SystemCheck::Status::warning;
+      symptom.remedy = "free some space: 1000 plans take about 100 MB";
     }
   } catch (const std::exception& error) {
-    symptom.kind = SystemCheck::Kind::error;
-    symptom.found = error.what();
-    symptom.to_do = "work in a folder in which you may write, on a disk that is not full";
+    symptom.status = SystemCheck::Status::error;
+    symptom.detail = error.what();
+    symptom.remedy = "work in a folder with write permission, on a disk with free space";
   }
   std::error_code ignored;
   fs::remove_all(tried, ignored);
@@ -112,9 +111,10 @@ SystemCheck check_folder_writable(const char* what, const fs::path& folder) {
 
 SystemCheck physics_engine() {
   const std::string engine = physics::engine_version();
-  if (!engine.empty()) return {SystemCheck::Kind::fine, "physics", engine, ""};
-  return {SystemCheck::Kind::note, "physics", "none: morphe simulate is not there",
-          "install libmujoco-dev, configure and build again"};
+  if (!engine.empty()) return {SystemCheck::Status::ok, "physics", engine, ""};
+  return {SystemCheck::Status::warning, "physics",
+          "no physics engine: morphe simulate is not available",
+          "install libmujoco-dev, then configure and build again"};
 }
 
 /// Checks the locale. Numbers are read and written in the same way in every locale; file names are
@@ -129,10 +129,11 @@ SystemCheck check_locale() {
   if (name.empty()) name = variable("LANG");
   const bool letters =
       name.find("UTF-8") != std::string::npos || name.find("utf8") != std::string::npos;
-  SystemCheck symptom{SystemCheck::Kind::fine, "locale", name.empty() ? "none is set" : name, ""};
+  SystemCheck symptom{SystemCheck::Status::ok, "locale", name.empty() ? "not set" : name, ""};
   if (letters) return symptom;
-  symptom.kind = SystemCheck::Kind::note;
-  symptom.to_do = "messages hold letters of UTF-8: export LANG=C.UTF-8 if they look odd";
+  symptom.status = SystemCheck::Status::warning;
+  symptom.remedy =
+      "messages contain UTF-8 characters: export LANG=C.UTF-8 if they are not displayed correctly";
   return symptom;
 }
 
@@ -141,12 +142,12 @@ std::vector<SystemCheck> run_checks() {
   const char* const home = std::getenv("TMPDIR");
   const fs::path temporary = home ? fs::path(home) : fs::path("/tmp");
   std::vector<SystemCheck> symptoms = {
-    {SystemCheck::Kind::fine, "version", software(), ""},
-    {SystemCheck::Kind::fine, "built with", built_with(), ""},
+    {SystemCheck::Status::ok, "version", software(), ""},
+    {SystemCheck::Status::ok, "built with", built_with(), ""},
 #if defined(__AVX2__) && defined(__FMA__)
-    {SystemCheck::Kind::fine, "processor", "has AVX2 and FMA, for which this was built", ""},
+    {SystemCheck::Status::ok, "processor", "AVX2 and FMA, as required by this build", ""},
 #else
-    {Symptom::Kind::fine, "processor", "any of its kind will do", ""},
+    {SystemCheck::Status::ok, "processor", "no special instructions required", ""},
 #endif
     check_cores(),
     check_memory(),
@@ -155,18 +156,18 @@ std::vector<SystemCheck> run_checks() {
     check_folder_writable("temporary files", temporary),
     physics_engine(),
     check_locale(),
-    {SystemCheck::Kind::fine, "terminal",
-     ::isatty(STDERR_FILENO) == 1 ? "progress is a line that changes"
-                                  : "none: progress is a line for each demonstration",
+    {SystemCheck::Status::ok, "terminal",
+     ::isatty(STDERR_FILENO) == 1 ? "progress is one line, updated in place"
+                                  : "no terminal: progress is one line per demonstration",
      ""}
   };
   return symptoms;
 }
 
-std::string_view kind_name(SystemCheck::Kind kind) {
-  return kind == SystemCheck::Kind::fine   ? "fine"
-         : kind == SystemCheck::Kind::note ? "note"
-                                           : "WRONG";
+std::string_view status_name(SystemCheck::Status status) {
+  return status == SystemCheck::Status::ok        ? "ok"
+         : status == SystemCheck::Status::warning ? "warning"
+                                                  : "ERROR";
 }
 
 int execute(bool json) {
@@ -174,19 +175,19 @@ int execute(bool json) {
   std::size_t wrong = 0;
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const SystemCheck& one : symptoms) {
-    wrong += one.kind == SystemCheck::Kind::error ? 1U : 0U;
-    all.push_back({{"what", one.what},
-                   {"state", CLI::detail::to_lower(std::string(kind_name(one.kind)))},
-                   {"found", one.found},
-                   {"to_do", one.to_do}});
+    wrong += one.status == SystemCheck::Status::error ? 1U : 0U;
+    all.push_back({{"name", one.name},
+                   {"status", CLI::detail::to_lower(std::string(status_name(one.status)))},
+                   {"detail", one.detail},
+                   {"remedy", one.remedy}});
     if (json) continue;
-    fmt::print("{:<6} {:<16} {}\n", kind_name(one.kind), one.what, one.found);
-    if (!one.to_do.empty()) fmt::print("{:<6} {:<16} -> {}\n", "", "", one.to_do);
+    fmt::print("{:<7} {:<16} {}\n", status_name(one.status), one.name, one.detail);
+    if (!one.remedy.empty()) fmt::print("{:<7} {:<16} -> {}\n", "", "", one.remedy);
   }
   if (json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"fit", wrong == 0}, {"findings", all}}.dump(2));
+    fmt::print("{}\n", nlohmann::ordered_json{{"ok", wrong == 0}, {"checks", all}}.dump(2));
   } else if (wrong > 0) {
-    fmt::print("{} wrong\n", count_with_noun(wrong, "thing is", "things are"));
+    fmt::print("{} failed\n", count_with_noun(wrong, "check", "checks"));
   }
   return wrong == 0 ? 0 : 1;
 }

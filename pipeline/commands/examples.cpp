@@ -16,7 +16,7 @@ constexpr CommandExamples kExamples[] = {
      "outputs/again\n"},
     {"verify", "  morphe verify outputs/first\n"},
     {"diff", "  morphe diff outputs/first outputs/again\n"},
-    {"list", "  morphe list outputs/first --sort tips --only executable\n"},
+    {"list", "  morphe list outputs/first --sort tip_error_max --only executable\n"},
     {"explain", "  morphe explain outputs/first ADL001DR2/000\n"},
     {"report",
      "  morphe report outputs/first --out outputs/first.html\n"
@@ -29,7 +29,8 @@ constexpr CommandExamples kExamples[] = {
      "  morphe export outputs/first --format robomimic --out outputs/training\n"},
     {"import",
      "  morphe import datasets/ue-adl/recordings.yaml --out outputs/adl.h5\n"
-     "  morphe import datasets/ue-adl/ADL001DR2.csv --static datasets/ue-adl/ADL001_static.csv "
+     "  morphe import datasets/ue-adl/ADL001DR2.csv --static-trial "
+     "datasets/ue-adl/ADL001_static.csv "
      "--out outputs/one.h5\n"},
     {"inspect",
      "  morphe inspect datasets/ue-adl/ADL001DR2.csv\n"
@@ -40,7 +41,7 @@ constexpr CommandExamples kExamples[] = {
      "  morphe merge outputs/shards/1 outputs/shards/2 --out outputs/merged\n"},
     {"place",
      "  morphe place configs/pipelines/iiwa14_allegro.yaml --mount side --out outputs/placed.yaml "
-     "--map outputs/placed.svg\n"},
+     "--reach-map outputs/placed.svg\n"},
     {"robot",
      "  morphe robot configs/robots/pa10_dlr_hit2.yaml --svg outputs/robot.svg --urdf "
      "outputs/robot.urdf\n"},

@@ -53,12 +53,12 @@ void open_recordings(const ExplainArguments& arguments, PlanSource& source) {
   if (dataset.empty()) dataset = source.plans.parent_path() / "demonstrations.h5";
   if (!fs::exists(dataset)) {
     throw InputError(
-        fmt::format("explain --try: {} is not there; name the run's recordings: --dataset F.h5",
+        fmt::format("explain --try: {} does not exist; give the run's recordings: --dataset F.h5",
                     dataset.string()));
   }
   const std::string wanted = source.reader.header().dataset_sha256;
   if (files::sha256_of_file(dataset) != wanted) {
-    throw InputError(fmt::format("explain --try: {} is not what {} was planned from",
+    throw InputError(fmt::format("explain --try: {} is not the dataset from which {} was planned",
                                  dataset.string(), source.plans.string()));
   }
   source.recordings = std::make_unique<store::DemonstrationReader>(dataset);
@@ -84,19 +84,19 @@ std::string planning_time_text(const PlanSource& source, const Plan& plan) {
   const auto finished = run::Journal::read(folder)->find(plan.demonstration);
   if (!finished) return "";
   std::string text;
-  for (const auto& [stage, seconds] : finished->summary.stage_seconds) {
+  for (const auto& [stage, seconds] : finished->summary.stage_cpu_s) {
     if (seconds < 0.001) continue;
     text += fmt::format("{}{} {:.0f} ms", text.empty() ? "" : ", ", stage, 1e3 * seconds);
   }
-  return text.empty() ? "" : fmt::format("  {:<13} {} (its whole recording)\n", "took", text);
+  return text.empty() ? "" : fmt::format("  {:<13} {} (for the whole recording)\n", "took", text);
 }
 
 std::string outcome_of(const Plan& plan) {
   if (!plan.has_trajectory()) {
     return fmt::format("infeasible, {}: {}", name_of(plan.reason), plan.detail);
   }
-  return fmt::format("{}: tips at most {:.1f} mm from their goals", name_of(plan.status()),
-                     1e3 * plan.certificate.position_error_max);
+  return fmt::format("{}: tip error at most {:.1f} mm", name_of(plan.status()),
+                     1e3 * plan.certificate.tip_error_max);
 }
 
 Json json_of(const PlanSource& source, const Plan& plan, const std::string& path,
@@ -105,14 +105,14 @@ Json json_of(const PlanSource& source, const Plan& plan, const std::string& path
             {"status", name_of(plan.status())},
             {"reason", name_of(plan.reason)},
             {"detail", plan.detail},
-            {"story", explain::step_summary(source.reader.robot(), plan)},
+            {"step_summary", explain::step_summary(source.reader.robot(), plan)},
             {"advice", Json::array()}};
   for (const explain::TriedAdvice& one : advice) {
-    Json entry{{"effect", name_of(one.advice.effect)},
+    Json entry{{"kind", name_of(one.advice.kind)},
                {"settings", one.advice.settings},
                {"sentence", one.advice.sentence}};
     if (one.plan) {
-      entry["tried"] = {{"status", name_of(one.plan->status())},
+      entry["trial"] = {{"status", name_of(one.plan->status())},
                         {"reason", name_of(one.plan->reason)},
                         {"detail", one.plan->detail}};
     }
@@ -159,11 +159,12 @@ int execute(const ExplainArguments& arguments) {
     }
   }
   if (told == 0 && !arguments.plan.empty()) {
-    throw InputError(fmt::format("{}: holds no plan '{}'; plans are called DEMONSTRATION/000",
-                                 arguments.file, arguments.plan));
+    throw InputError(
+        fmt::format("{}: contains no plan '{}'; plan names have the form DEMONSTRATION/000",
+                    arguments.file, arguments.plan));
   }
   if (arguments.json) fmt::print("{}\n", Json{{"plans", all}}.dump(2));
-  if (told == 0 && !arguments.json) fmt::print("nothing is infeasible\n");
+  if (told == 0 && !arguments.json) fmt::print("no plan is infeasible\n");
   return 0;
 }
 
@@ -171,11 +172,12 @@ int execute(const ExplainArguments& arguments) {
 
 Command explain_command(CLI::App& app) {
   const auto arguments = std::make_shared<ExplainArguments>();
-  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   app.add_option("PLAN", arguments->plan,
-                 "DEMONSTRATION/000, or a demonstration (default: all that are infeasible)");
-  app.add_flag("--try", arguments->try_advice,
-               "Plan each infeasible movement again with what may help, until something does");
+                 "A plan (DEMONSTRATION/000) or a demonstration (default: all infeasible plans)");
+  app.add_flag(
+      "--try", arguments->try_advice,
+      "Plan each infeasible movement again with the advice, one by one, until one succeeds");
   app.add_option("--dataset", arguments->dataset,
                  "demonstrations.h5 for --try (default: the one in the run's folder)");
   app.add_flag("--json", arguments->json, "Print JSON");

@@ -28,21 +28,21 @@ int execute(ExportArguments& arguments) {
   const double delay_s = arguments.options.motion.delay_s,
                rate_hz = arguments.options.motion.rate_hz;
   if (std::isnan(delay_s)) throw InputError("--delay: must be a number of seconds");
-  if (std::isnan(rate_hz)) throw InputError("--rate: must be a number of points a second");
+  if (std::isnan(rate_hz)) throw InputError("--rate: must be a number of points per second");
   arguments.options.motion.approach = *enum_from_name<exports::ApproachMode>(arguments.approach);
   run::OutputFolder folder(arguments.out);
   const exports::ExportReport report =
       exports::export_plans(plans, folder.path(), arguments.options);
   folder.keep();
-  for (const exports::SkippedPlan& left : report.left_out) {
-    fmt::print("{} left out: {}\n", left.plan, left.why);
+  for (const exports::SkippedPlan& left : report.skipped) {
+    fmt::print("{} skipped: {}\n", left.plan, left.reason);
   }
   for (const std::string& file : report.files) {
     fmt::print("{}\n", (folder.path() / file).string());
   }
   if (!report.remark.empty()) fmt::print("note: {}\n", report.remark);
-  const std::size_t files = report.files.size() - 1, left = report.left_out.size();
-  fmt::print("{} file{} and the index written, {} plan{} left out\n", files, files == 1 ? "" : "s",
+  const std::size_t files = report.files.size() - 1, left = report.skipped.size();
+  fmt::print("{} file{} and the index written, {} plan{} skipped\n", files, files == 1 ? "" : "s",
              left, left == 1 ? "" : "s");
   return 0;
 }
@@ -52,25 +52,27 @@ int execute(ExportArguments& arguments) {
 Command export_command(CLI::App& app) {
   const auto arguments = std::make_shared<ExportArguments>();
   exports::ExportOptions& options = arguments->options;
-  app.add_option("FILE", arguments->plans, "plans.h5, or a run's folder")->required();
+  app.add_option("FILE", arguments->plans, "plans.h5 or the folder of a run")->required();
   app.add_option("--format", options.format, "File format")
       ->required()
       ->check(CLI::IsMember(exports::export_format_names()));
   app.add_option("--out", arguments->out, "Folder to write the files to")->required();
-  app.add_option("--group", options.groups,
-                 fmt::format("Joints of a file: {}; several: a file each", exports::kGroupHelp))
+  app.add_option(
+         "--group", options.groups,
+         fmt::format("Joints per file: {}; several groups: one file each", exports::kGroupHelp))
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--rate", options.motion.rate_hz,
-                 "Points a second, on the certified curve; else the plan's own samples")
+                 "Points per second, on the certified curve (default: the samples of the plan)")
       ->check(CLI::Range(1e-3, kMaxRate_hz));
   app.add_option("--delay", options.motion.delay_s,
-                 "Seconds that each motion waits in its first posture")
+                 "Time that each motion waits in its first posture, s")
       ->check(CLI::Range(0.0, 3600.0));
   app.add_option("--approach", arguments->approach,
-                 "Ways from home and back: files apart, joined with the trajectory, or none")
+                 "Approach from home and retreat: separate files (apart), joined with the "
+                 "trajectory (joined), or none")
       ->check(CLI::IsMember({"apart", "joined", "none"}));
-  app.add_flag("--replace", options.replace, "Replace files that are there with other content");
+  app.add_flag("--replace", options.replace, "Replace existing files whose content differs");
   return [arguments] { return execute(*arguments); };
 }
 

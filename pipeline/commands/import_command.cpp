@@ -28,7 +28,7 @@ bool has_folder(const imports::ImportRequest& request) {
 /// demonstrations, but not beside clips.
 int execute(const imports::ImportRequest& request, const fs::path& out, const fs::path& clips) {
   if (out.empty() && clips.empty()) {
-    throw InputError("import: --out FILE.h5, --clip DIR or both must be given");
+    throw InputError("import: needs --out FILE.h5, --clip DIR or both");
   }
   const bool of_folder = !out.empty() && has_folder(request);
   const GeneratedManifest manifest(fs::path(out).replace_extension(".recordings.yaml"));
@@ -62,12 +62,13 @@ Command import_command(CLI::App& app) {
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("PATH", arguments->request.paths,
-                 "Recordings, folders of them, or manifests (.yaml) that list them")
+                 "Recordings, folders of recordings, or manifests (.yaml) that list them")
       ->required()
       ->transform(input_file());
   app.add_option("--out", arguments->out, "The demonstrations.h5 to write");
-  app.add_option("--clip", arguments->clips,
-                 "A folder: each demonstration as a clip (.npz) of joints and objects");
+  app.add_option(
+      "--clip", arguments->clips,
+      "Folder in which each demonstration is written as a clip (.npz) of joints and objects");
   add_import_options(app, arguments->request);
   return [arguments] { return execute(arguments->request, arguments->out, arguments->clips); };
 }

@@ -75,13 +75,14 @@ std::string proposals_text(const imports::UnresolvedImport& question) {
                         name_of(guess.confidence), guess.reason);
   }
   if (!question.proposal.names.empty()) {
-    text +=
-        fmt::format("  --names {}: by their words, as in \"taken for\" above; look through it\n",
-                    quote_for_shell(names_file(question)));
+    text += fmt::format(
+        "  --names {}: guessed from the words in the names, see \"used as\" above; check them\n",
+        quote_for_shell(names_file(question)));
   }
   if (question.names_unresolved) {
     text +=
-        "  --names: its names tell no arm; map them in a YAML file, a line each such as\n"
+        "  --names: no arm found in its names; map them in a YAML file, one line per name, such "
+        "as\n"
         "    RECORDED_NAME: right_shoulder\n"
         "  (right_elbow, right_wrist, right_index_mcp, right_thumb_tip, left_...)\n";
   }
@@ -112,8 +113,8 @@ std::string command_line(const imports::UnresolvedImport& question,
 }
 
 std::string manifest_lines(const imports::UnresolvedImport& question) {
-  std::string text =
-      fmt::format("add to {}, at its top or to the recording's own keys:\n", question.manifest);
+  std::string text = fmt::format("add to {}, at the top level or to the entry of the recording:\n",
+                                 question.manifest);
   for (const auto& [key, guess] : question.proposal.conventions) {
     text += fmt::format("{}: {}\n", key == "rate" ? "rate_hz" : key, guess.value);
   }

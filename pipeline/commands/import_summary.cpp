@@ -14,6 +14,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/hdf5_signature.hpp"
+#include "stages/import/folders/entry_notes.hpp"
 #include "stages/import/folders/read_recording.hpp"
 
 namespace morphe::commands {
@@ -34,7 +35,7 @@ std::string skipped_text(const std::vector<SkippedFile>& left_out) {
   for (const SkippedFile& one : left_out) ++count[reason(one)];
   std::string text;
   for (const SkippedFile& one : left_out) {
-    const char* const how = one.failed ? "cannot be read" : "left out";
+    const char* const how = one.failed ? "cannot be read" : "skipped";
     const std::string why = reason(one);
     const std::size_t all = count[why];
     if (all > kMaxLinesPerReason && shown[why] == kShownLinesPerReason) continue;
@@ -89,8 +90,9 @@ std::string read_all(const fs::path& file) {
 }
 
 std::string hash_line(std::string_view body) {
-  return fmt::format("{}{} is the SHA-256 of what follows: edited, this file is not replaced\n",
-                     kHashLinePrefix, files::sha256(body));
+  return fmt::format(
+      "{}{} is the SHA-256 of the lines below; if they are edited, this file is not replaced\n",
+      kHashLinePrefix, files::sha256(body));
 }
 
 }  // namespace
@@ -107,16 +109,16 @@ std::string import_summary_text(const ImportResult& imported) {
     return "";
   }
   return summary_line(imported) +
+         notes_by_subject_text(imported, imports::kNoStaticTrial,
+                               "no static trial found: joint centres may be wrong by centimetres") +
+         notes_by_subject_text(imported, imports::kRightHandAssumed,
+                               "reaching hand not in the file: assumed right") +
          notes_by_subject_text(
-             imported, "no static trial",
-             "no static trial was found: joint centres may be off by centimetres") +
-         notes_by_subject_text(imported, "the right hand is assumed",
-                               "which hand reaches is not told: the right one is assumed") +
-         notes_by_subject_text(imported, "its name is that of a static trial",
-                               "called a static trial, but moving: taken as a demonstration") +
+             imported, imports::kMovingStaticTrial,
+             "named as a static trial, but the person moves: used as a demonstration") +
          skipped_text(imported.skipped) +
          (count_failed(imported) > 0
-              ? "morphe inspect FILE shows what such a file holds and lacks\n"
+              ? "morphe inspect FILE shows what such a file contains and what is missing\n"
               : "");
 }
 
@@ -132,19 +134,20 @@ void GeneratedManifest::expect_replaceable() const {
   if (end != std::string::npos && text.substr(0, end + 1) == hash_line(text.substr(end + 1)))
     return;
   throw InputError(
-      fmt::format("{}: was edited, or is not Morphe's, and would be replaced: give it as the "
-                  "dataset itself, or move it away",
+      fmt::format("{}: would be replaced, but was edited or not written by Morphe: use it as the "
+                  "dataset, or move it elsewhere",
                   file_.string()));
 }
 
 void GeneratedManifest::write(const ImportResult& imported) const {
   std::string body =
-      "# What was found. To change it, edit this file and give it as the dataset; paths are\n"
-      "# relative to it. Notes say what was assumed, and go into the plans' reports.\n";
+      "# The recordings that were found. To change the list, edit this file and use it as the "
+      "dataset;\n"
+      "# paths are relative to it. Notes list the assumptions, and are stored with the plans.\n";
   const fs::path folder = file_.parent_path().empty() ? fs::path(".") : file_.parent_path();
   for (const SkippedFile& one : imported.skipped) {
     std::string line =
-        fmt::format("# {}: {}", one.failed ? "cannot be read" : "left out", skip_message(one));
+        fmt::format("# {}: {}", one.failed ? "cannot be read" : "skipped", skip_message(one));
     std::ranges::replace_if(
         line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
     body += line + "\n";

@@ -59,7 +59,8 @@ Command inspect_command(CLI::App& app) {
       ->transform(input_file());
   add_import_options(app, arguments->request);
   app.add_flag("--points", arguments->points,
-               "List markers or joints with what they are taken for (a single recording's always)");
+               "List markers or joints with the body part assigned to each (always listed for a "
+               "single recording)");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const InspectOptions options = options_of(arguments->config);

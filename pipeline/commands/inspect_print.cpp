@@ -14,14 +14,14 @@ using Json = nlohmann::ordered_json;
 Json json_of(const StreamReport& s) {
   return {{"name", s.name},
           {"rate_hz", s.rate_hz},
-          {"seen", s.seen},
+          {"valid_share", s.valid_share},
           {"begin_s", s.begin_s},
           {"duration_s", s.duration_s},
           {"columns", s.columns},
           {"gaps", s.gaps},
           {"longest_gap_s", s.longest_gap_s},
-          {"longest_gap_of", s.longest_gap_of},
-          {"unseen", s.unseen}};
+          {"longest_gap_column", s.longest_gap_column},
+          {"empty_columns", s.empty_columns}};
 }
 
 Json json_of(const MovementReport& report) {
@@ -38,7 +38,7 @@ Json json_of(const MovementReport& report) {
           {"end_s", report.movement.end_s},
           {"phases", phases},
           {"target", report.movement.target},
-          {"unusable", report.unusable}};
+          {"unusable_reason", report.unusable_reason}};
 }
 
 Json json_of(const imports::PointSummary& point) {
@@ -46,9 +46,9 @@ Json json_of(const imports::PointSummary& point) {
     return is_known(v) ? Json::array({v.x(), v.y(), v.z()}) : Json(nullptr);
   };
   return {{"name", point.name},
-          {"taken_for", point.body_part},
-          {"seen", point.seen_share},
-          {"middle_m", place(point.centre)},
+          {"body_part", point.body_part},
+          {"valid_share", point.seen_share},
+          {"centre_m", place(point.centre)},
           {"extent_m", place(point.extent)}};
 }
 
@@ -81,21 +81,21 @@ Json json_of(const Inspection& i) {
           {"residuals", residuals},
           {"estimated", i.estimated},
           {"missing", i.missing},
-          {"reports", i.reports},
+          {"reports", i.import_notes},
           {"points", json_list(i.survey.points)}};
 }
 
 void add_stream(const StreamReport& s, const char* prefix, std::string& text) {
-  text +=
-      fmt::format("  {}{}: {} columns, {:.2f} Hz, {:.2f} to {:.2f} s, {:.1f} % seen", prefix,
-                  s.name, s.columns, s.rate_hz, s.begin_s, s.begin_s + s.duration_s, 100 * s.seen);
+  text += fmt::format("  {}{}: {} columns, {:.2f} Hz, {:.2f} to {:.2f} s, {:.1f} % valid", prefix,
+                      s.name, s.columns, s.rate_hz, s.begin_s, s.begin_s + s.duration_s,
+                      100 * s.valid_share);
   if (s.gaps > 0) {
-    text +=
-        fmt::format(", {} gaps (longest {:.2f} s: {})", s.gaps, s.longest_gap_s, s.longest_gap_of);
+    text += fmt::format(", {} gaps (longest {:.2f} s: {})", s.gaps, s.longest_gap_s,
+                        s.longest_gap_column);
   }
   text += "\n";
-  if (!s.unseen.empty()) {
-    text += fmt::format("    never seen: {}\n", fmt::join(s.unseen, ", "));
+  if (!s.empty_columns.empty()) {
+    text += fmt::format("    never valid: {}\n", fmt::join(s.empty_columns, ", "));
   }
 }
 
@@ -107,8 +107,9 @@ void add_movement(const MovementReport& report, std::string& text) {
         fmt::format(" {} {:.2f}-{:.2f} ({:.0f} %, {:.0f} %)", name_of(phase.kind), phase.begin_s,
                     phase.end_s, 100 * phase.begin_confidence, 100 * phase.end_confidence);
   }
-  if (!report.movement.target.empty()) text += fmt::format("; takes {}", report.movement.target);
-  if (!report.unusable.empty()) text += fmt::format("; unusable, {}", report.unusable);
+  if (!report.movement.target.empty()) text += fmt::format("; target {}", report.movement.target);
+  if (!report.unusable_reason.empty())
+    text += fmt::format("; unusable, {}", report.unusable_reason);
   text += "\n";
 }
 
@@ -126,11 +127,11 @@ std::string inspection_text(const Inspection& i) {
   for (const auto& [what, how_much] : i.reconstructed_shares) {
     if (how_much > 0) rebuilt.push_back(fmt::format("{} {:.0f} %", what, 100 * how_much));
   }
-  if (!rebuilt.empty()) text += fmt::format("  rebuilt: {}\n", fmt::join(rebuilt, ", "));
+  if (!rebuilt.empty()) text += fmt::format("  reconstructed: {}\n", fmt::join(rebuilt, ", "));
   for (const MovementReport& movement : i.movements) add_movement(movement, text);
   for (const auto& [kind, sentences] :
        {std::pair("estimated", &i.estimated), std::pair("missing", &i.missing),
-        std::pair("import", &i.reports), std::pair("problem", &i.problems)}) {
+        std::pair("import", &i.import_notes), std::pair("problem", &i.problems)}) {
     for (const std::string& sentence : *sentences)
       text += fmt::format("  {}: {}\n", kind, sentence);
   }
@@ -138,13 +139,13 @@ std::string inspection_text(const Inspection& i) {
 }
 
 std::string inspections_json(const std::vector<Inspection>& inspections,
-                             const std::vector<imports::SkippedFile>& left_out) {
+                             const std::vector<imports::SkippedFile>& skipped) {
   Json all = Json::array();
   for (const Inspection& inspection : inspections) all.push_back(json_of(inspection));
   Json json{{"demonstrations", all}};
-  for (const imports::SkippedFile& one : left_out) {
-    json["left_out"].push_back(
-        {{"file", one.file.string()}, {"why", one.reason}, {"failed", one.failed}});
+  for (const imports::SkippedFile& one : skipped) {
+    json["skipped"].push_back(
+        {{"file", one.file.string()}, {"reason", one.reason}, {"failed", one.failed}});
   }
   return json.dump(2);
 }

@@ -32,9 +32,10 @@ void inspect_reconstruction(const HumanMotion& motion, Inspection& inspection) {
     if (what == "shoulder") {
       inspection.missing.push_back("the shoulder: no movement can be planned");
     } else if (what == "elbow") {
-      inspection.missing.push_back("the elbow: nothing to be humanlike to");
+      inspection.missing.push_back("the elbow: humanlikeness cannot be evaluated");
     } else if (what == "wrist") {
-      inspection.missing.push_back("the wrist: no movement can be told from the fingers' own");
+      inspection.missing.push_back(
+          "the wrist: movements of the arm cannot be distinguished from movements of the fingers");
     } else {
       tips.push_back(what.substr(0, what.find(' ')));
     }
@@ -43,7 +44,7 @@ void inspect_reconstruction(const HumanMotion& motion, Inspection& inspection) {
     inspection.missing.push_back("all fingertips: no movement can be planned");
   } else if (!tips.empty()) {
     inspection.missing.push_back(
-        fmt::format("fingertips {}: those fingers of the robot go to a natural posture",
+        fmt::format("fingertips {}: these fingers of the robot take their natural posture",
                     fmt::join(tips, ", ")));
   }
 }
@@ -60,16 +61,16 @@ std::string find_unusable_reason(const HumanMotion& motion, const Movement& move
     shoulder = shoulder || is_known(motion.shoulder[i]);
     for (std::size_t f = 0; f < motion.tip.cols; ++f) tip = tip || is_known(motion.tip(i, f));
   }
-  return !shoulder ? "no_shoulder: the shoulder was not seen in it"
-         : !tip    ? "no_goal: no fingertip was seen in it"
+  return !shoulder ? "no_shoulder: the shoulder is missing in this movement"
+         : !tip    ? "no_goal: all fingertips are missing in this movement"
                    : "";
 }
 
 }  // namespace
 
 std::size_t Inspection::count_usable() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(movements, [](const MovementReport& m) { return m.unusable.empty(); }));
+  return static_cast<std::size_t>(std::ranges::count_if(
+      movements, [](const MovementReport& m) { return m.unusable_reason.empty(); }));
 }
 
 Inspection inspect(const Demonstration& demonstration, const InspectOptions& options) {
@@ -96,9 +97,9 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
     std::string unusable = find_unusable_reason(motion, movement, options.human);
     result.movements.push_back({std::move(movement), std::move(unusable)});
   }
-  result.reports = demonstration.reports;
+  result.import_notes = demonstration.import_notes;
   result.problems = motion.reconstruction_notes;
-  if (result.movements.empty()) result.problems.push_back("no movement was found in it");
+  if (result.movements.empty()) result.problems.push_back("no movement found");
   return result;
 }
 

@@ -20,7 +20,7 @@ struct MovementReport {
   /// The movement.
   Movement movement;
   /// The reason for which it cannot be planned, "" if it can.
-  std::string unusable;
+  std::string unusable_reason;
 };
 
 /// The content of a demonstration and the part of it that can be used.
@@ -48,7 +48,7 @@ struct Inspection {
   /// Properties neither recorded nor estimated, and the consequences.
   std::vector<std::string> missing;
   /// Reports of the importer.
-  std::vector<std::string> reports;
+  std::vector<std::string> import_notes;
   /// The problems of the recording.
   std::vector<std::string> problems;
 
@@ -73,6 +73,6 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
 std::string inspection_text(const Inspection& inspection);
 /// Returns {"demonstrations": […]}, and "left_out": [{file, why, failed}] if files were left out.
 std::string inspections_json(const std::vector<Inspection>& inspections,
-                             const std::vector<imports::SkippedFile>& left_out);
+                             const std::vector<imports::SkippedFile>& skipped);
 
 }  // namespace morphe::commands

@@ -18,7 +18,7 @@ Command list_command(CLI::App& app) {
     RowSelection choice;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   add_row_options(app, arguments->choice);
   return [arguments] {
     check_selection(arguments->choice);

@@ -29,19 +29,19 @@ struct CommandEntry {
 constexpr std::array<CommandEntry, 17> kCommands{{
     {"diff", "Compare two plans.h5: which plans differ, and by how much",
      morphe::commands::diff_command},
-    {"doctor", "Look whether everything is there that Morphe needs",
+    {"doctor", "Check whether this system has everything that Morphe needs",
      morphe::commands::doctor_command},
-    {"explain", "Tell what became of a movement, and what to try where it is infeasible",
+    {"explain", "Explain the result of a movement, and what to try if it is infeasible",
      morphe::commands::explain_command},
     {"export", "Write executable plans as CSV, ROS or robomimic files",
      morphe::commands::export_command},
     {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},
-    {"inspect", "Show what a recording or demonstrations.h5 holds, and what cannot be used",
+    {"inspect", "Show the content of a recording or demonstrations.h5, and what cannot be used",
      morphe::commands::inspect_command},
-    {"list", "Print the table of a plans.h5: its plans, sorted or some of them",
+    {"list", "Print the table of plans in a plans.h5, sorted or filtered",
      morphe::commands::list_command},
     {"merge", "Join the shards of a run into one plans.h5", morphe::commands::merge_command},
-    {"place", "Find where a robot's base should stand for a dataset",
+    {"place", "Find the best placement of a robot's base for a dataset",
      morphe::commands::place_command},
     {"report", "Write a page that plays every plan of a plans.h5 in a browser",
      morphe::commands::report_command},
@@ -49,13 +49,13 @@ constexpr std::array<CommandEntry, 17> kCommands{{
     {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
     {"schema", "Print the JSON schema of a kind of YAML file, for editors",
      morphe::commands::schema_command},
-    {"simulate", "Try in physics whether the grasps of a plans.h5 hold",
+    {"simulate", "Simulate whether the grasps of a plans.h5 hold",
      morphe::commands::simulate_command},
     {"synthesize", "Generate recordings with known ground truth",
      morphe::commands::synthesize_command},
     {"study", "Run a study: write its figures to DIR/results.json",
      morphe::commands::study_command},
-    {"verify", "Check a plans.h5 with independent code, from the file alone",
+    {"verify", "Check a plans.h5 with independent code, using only the file",
      morphe::commands::verify_command},
 }};
 
@@ -80,7 +80,10 @@ void add_examples(CLI::App& app, const std::string& before) {
 }
 
 int print_usage_error(const std::string& wrong, const std::string& command) {
-  fmt::print(stderr, "{}\nmorphe {}--help says more.\n", wrong, command);
+  fmt::print(stderr,
+             "{}\n"
+             "See morphe {}--help.\n",
+             wrong, command);
   return kInputErrorExitCode;
 }
 
@@ -112,7 +115,7 @@ int execute(int argc, char** argv) {
       SIG_IGN);  // exceeding a limit on file sizes is reported as an error, like a full disk
   CLI::App app(
       "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
-      "Shipped files (configs/..., datasets/...) are found from any folder.",
+      "Shipped files (configs/..., datasets/...) are found from every folder.",
       "morphe");
   app.set_version_flag("--version", morphe::software());
   app.require_subcommand(1);

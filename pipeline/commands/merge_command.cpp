@@ -24,8 +24,9 @@ struct MergeArguments {
 int execute(const MergeArguments& arguments) {
   run::OutputFolder out(arguments.out);
   if (fs::exists(out.path() / run::Journal::kFile))
-    throw InputError(fmt::format("{}: is the folder of a run; its plans.h5 is not replaced",
-                                 out.path().string()));
+    throw InputError(
+        fmt::format("{}: is the folder of a run; its plans.h5 is not replaced: give another --out",
+                    out.path().string()));
   const fs::path plans = out.path() / "plans.h5";
   const run::BatchSummary summary =
       run::merge_shards({arguments.folders.begin(), arguments.folders.end()}, plans);
@@ -41,8 +42,8 @@ int execute(const MergeArguments& arguments) {
 
 Command merge_command(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
-  app.add_option("DIR", arguments->folders, "Folders of all shards of a run")->required();
-  app.add_option("--out", arguments->out, "Folder for the joined plans.h5")->required();
+  app.add_option("DIR", arguments->folders, "Folders of all shards of one run")->required();
+  app.add_option("--out", arguments->out, "Folder for the merged plans.h5")->required();
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlaceArguments {
-  std::string config, dataset, out, map, mount = "any", keep;
+  std::string config, dataset, out, reach_map, mount = "any", fix;
   std::vector<std::string> settings;
   place::PlaceOptions options;
   double tilt_deg = 0;
@@ -37,7 +37,7 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   const fs::path file = arguments.dataset.empty() ? config.dataset : fs::path(arguments.dataset);
   if (file.empty()) {
     throw InputError(
-        fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+        fmt::format("{}: dataset: is missing (give it here, or --dataset)", arguments.config));
   }
   if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
   std::vector<Demonstration> demonstrations;
@@ -55,26 +55,26 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   return demonstrations;
 }
 
-place::FixedCoordinates parse_keep_option(const std::string& list) {
-  place::FixedCoordinates keep;
+place::FixedCoordinates parse_fix_option(const std::string& list) {
+  place::FixedCoordinates fixed;
   for (const std::string& word : CLI::detail::split(list, ',')) {
     if (word.empty()) continue;
-    bool* const part = word == "x"          ? &keep.x
-                       : word == "y"        ? &keep.y
-                       : word == "z"        ? &keep.z
-                       : word == "rotation" ? &keep.rotation
+    bool* const part = word == "x"          ? &fixed.x
+                       : word == "y"        ? &fixed.y
+                       : word == "z"        ? &fixed.z
+                       : word == "rotation" ? &fixed.rotation
                                             : nullptr;
-    if (!part) throw InputError(fmt::format("--keep {}: must be of x, y, z, rotation", list));
+    if (!part) throw InputError(fmt::format("--fix {}: must be one of x, y, z, rotation", list));
     *part = true;
   }
-  return keep;
+  return fixed;
 }
 
 place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t seed) {
   place::PlaceOptions options = arguments.options;
   options.seed = seed;
   options.jobs = threads_of(arguments.jobs);
-  options.fixed = parse_keep_option(arguments.keep);
+  options.fixed = parse_fix_option(arguments.fix);
   options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
   options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
   if (const std::string wrong = validation_error(options); !wrong.empty()) {
@@ -103,7 +103,7 @@ std::string config_text(const PlaceArguments& arguments, const place::PlacementR
 }
 
 int execute(const PlaceArguments& arguments) {
-  for (const std::string& out : {arguments.out, arguments.map})
+  for (const std::string& out : {arguments.out, arguments.reach_map})
     files::expect_not_input(out, arguments.config);
   const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
   const place::PlaceOptions options = options_of(arguments, config.options.seed);
@@ -114,25 +114,25 @@ int execute(const PlaceArguments& arguments) {
   const place::ProgressCallback report = progress(arguments.json || arguments.quiet, status);
   const std::vector<place::PlacementResult> found =
       place::find_placements(planner, trials, options, report);
-  const place::PlacementResult given =
+  const place::PlacementResult configured =
       place::plan_with_placement(planner, trials, config.options.placement, options.jobs);
   if (!arguments.out.empty()) write_text(arguments.out, config_text(arguments, found.front()));
-  if (!arguments.map.empty()) {
-    write_text(arguments.map, place::svg_of(place::reachability_map(planner, trials, found.front(),
-                                                                    options, report)));
+  if (!arguments.reach_map.empty()) {
+    write_text(arguments.reach_map, place::svg_of(place::reachability_map(
+                                        planner, trials, found.front(), options, report)));
   }
   status.clear();
   if (arguments.json) {
-    fmt::print("{}\n", place_json(given, found));
+    fmt::print("{}\n", place_json(configured, found));
     return 0;
   }
-  fmt::print("{}\n{}\n", place_table_head(), place_row("given", given));
+  fmt::print("{}\n{}\n", place_table_head(), place_row("configured", configured));
   for (std::size_t k = 0; k < found.size(); ++k) {
     fmt::print("{}\n", place_row(std::to_string(k + 1), found[k]));
   }
   fmt::print("\n{}", placement_yaml(found.front().placement));
   if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty())) {
-    fmt::print("note: {} does not hold what --set and --dataset said: run takes them, too\n",
+    fmt::print("note: {} does not contain --set and --dataset; pass them to run, too\n",
                arguments.out);
   }
   return 0;
@@ -151,26 +151,30 @@ Command place_command(CLI::App& app) {
                  "the config's")
       ->transform(input_file());
   app.add_option("--out", arguments->out,
-                 "Config to write (YAML): it extends CONFIG by the best placement");
-  app.add_option("--map", arguments->map, "SVG file for a map of reach around the best placement");
+                 "Config to write (YAML); it extends CONFIG with the best placement");
+  app.add_option("--reach-map", arguments->reach_map,
+                 "SVG file for a reachability map around the best placement");
   app.add_option("--mount", arguments->mount,
-                 "Where the base's z axis points: any, floor (up), "
-                 "ceiling (down), wall (level), side (left or right)")
+                 "Direction of the base's z axis: any, floor (up), ceiling (down), wall "
+                 "(horizontal), side (left or right)")
       ->check(CLI::IsMember({"any", "floor", "ceiling", "wall", "side"}));
-  app.add_option("--tilt", arguments->tilt_deg, "Degrees by which it may lean from there");
-  app.add_option("--keep", arguments->keep,
-                 "What of the config's placement stays: of x, y, z, rotation, with commas between");
-  app.add_option("--person", options.person_clearance_m,
-                 "Metres that the base keeps from the person's middle");
-  app.add_option("--trials", options.trials, "Movements to try placements on, at most");
-  app.add_option("--candidates", options.candidates, "Placements to map");
-  app.add_option("--refined", options.refined, "Placements to improve");
-  app.add_option("--planned", options.planned, "Placements to plan in full and print");
+  app.add_option("--tilt", arguments->tilt_deg, "Largest tilt from that direction, degrees");
+  app.add_option(
+      "--fix", arguments->fix,
+      "Parts of the config's placement that are kept: x, y, z, rotation, separated by commas");
+  app.add_option("--person-clearance", options.person_clearance_m,
+                 "Minimum distance of the base from the middle of the person, m");
+  app.add_option("--movements", options.movements,
+                 "Maximum number of movements on which placements are tried");
+  app.add_option("--candidates", options.candidates,
+                 "Number of placements for which the movements are mapped");
+  app.add_option("--refine", options.refine, "Number of placements to refine");
+  app.add_option("--plan", options.plan, "Number of placements to plan completely and print");
   add_jobs_option(app, arguments->jobs);
   app.add_option("--set", arguments->settings,
                  "KEY=VALUE: change a value of the config, such as seed=2")
       ->allow_extra_args(false);
-  app.add_flag("--quiet", arguments->quiet, "No progress");
+  app.add_flag("--quiet", arguments->quiet, "Print no progress");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
 }

@@ -22,16 +22,16 @@ Json json_of(const place::PlacementResult& found) {
   const auto point = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
   return {{"rotation", rotation},
           {"shoulder_offset", point(found.placement.shoulder_offset)},
-          {"base", point(found.base)},
-          {"above_table", number(found.above_table)},
+          {"base_from_shoulder", point(found.base)},
+          {"height_above_table", number(found.height_above_table)},
           {"movements", planned.movements},
           {"executable", planned.executable},
-          {"out_of_reach", m.out_of_reach},
+          {"unreachable_share", m.out_of_reach},
           {"tip_error_mean", m.tip_error_m},
           {"tip_error_max", number(planned.tip_error_max_m)},
-          {"upper_arm_median", planned.upper_arm_median},
-          {"upper_arm_max", planned.upper_arm_max},
-          {"palm", m.palm_error},
+          {"upper_arm_error_median", planned.upper_arm_error_median},
+          {"upper_arm_error_max", planned.upper_arm_error_max},
+          {"palm_error", m.palm_error},
           {"tempo", m.speed_ratio},
           {"cost", place::cost_of(m)}};
 }
@@ -40,25 +40,26 @@ Json json_of(const place::PlacementResult& found) {
 
 std::string place_table_head() {
   return fmt::format(
-      "{:<8} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8} {:>6} {:>20} {:>16} {:>7}\n"
-      "{:<8} {:>10} {:>8} {:>8} {:>10} {:>8} {:>8} {:>6} {:>20} {:>16} {:>7}",
-      "place", "executable", "out of", "tips", "upper arm", "largest", "palm", "tempo",
-      "base from shoulder", "its axis points", "above", "", "", "reach %", "mm", "median deg",
-      "deg", "deg", "", "right, fwd, up mm", "right, fwd, up", "table");
+      "{:<10} {:>10} {:>8} {:>8} {:>10} {:>10} {:>8} {:>8} {:>20} {:>16} {:>8}\n"
+      "{:<10} {:>10} {:>8} {:>8} {:>10} {:>10} {:>8} {:>8} {:>20} {:>16} {:>8}",
+      "place", "executable", "out of", "tips", "upper arm", "upper arm", "palm", "duration",
+      "base from shoulder", "base z axis", "above", "", "", "reach %", "mm", "median deg",
+      "max deg", "deg", "ratio", "right, fwd, up mm", "right, fwd, up", "table mm");
 }
 
 std::string place_row(const std::string& name, const place::PlacementResult& found) {
   const place::PlannedSummary& p = found.plan_summary;
   const Vec3 base = 1e3 * found.base, up = found.base_placement.up();
   return fmt::format(
-      "{:<8} {:>10} {:>8.1f} {:>8.2f} {:>10.1f} {:>8.1f} {:>8.1f} {:>6} {:>20} {:>16} {:>7}", name,
-      fmt::format("{} of {}", p.executable, p.movements), 100 * p.measures.out_of_reach,
-      1e3 * p.measures.tip_error_m, p.upper_arm_median / kRadPerDegree,
-      p.upper_arm_max / kRadPerDegree, p.measures.palm_error / kRadPerDegree,
+      "{:<10} {:>10} {:>8.1f} {:>8.2f} {:>10.1f} {:>10.1f} {:>8.1f} {:>8} {:>20} {:>16} {:>8}",
+      name, fmt::format("{} of {}", p.executable, p.movements), 100 * p.measures.out_of_reach,
+      1e3 * p.measures.tip_error_m, p.upper_arm_error_median / kRadPerDegree,
+      p.upper_arm_error_max / kRadPerDegree, p.measures.palm_error / kRadPerDegree,
       p.executable == p.movements ? fmt::format("{:.2f}", p.measures.speed_ratio) : "-",
       fmt::format("{:.0f} {:.0f} {:.0f}", base.x(), base.y(), base.z()),
       fmt::format("{:.2f} {:.2f} {:.2f}", up.x(), up.y(), up.z()),
-      std::isnan(found.above_table) ? "-" : fmt::format("{:.0f}", 1e3 * found.above_table));
+      std::isnan(found.height_above_table) ? "-"
+                                           : fmt::format("{:.0f}", 1e3 * found.height_above_table));
 }
 
 std::string placement_yaml(const map::PlacementOptions& placement) {
@@ -73,11 +74,11 @@ std::string placement_yaml(const map::PlacementOptions& placement) {
          fmt::format("\n  shoulder_offset: [{:.3f}, {:.3f}, {:.3f}]\n", at.x(), at.y(), at.z());
 }
 
-std::string place_json(const place::PlacementResult& given,
+std::string place_json(const place::PlacementResult& configured,
                        const std::vector<place::PlacementResult>& found) {
-  Json places = Json::array();
-  for (const place::PlacementResult& one : found) places.push_back(json_of(one));
-  return Json{{"given", json_of(given)}, {"places", places}}.dump();
+  Json placements = Json::array();
+  for (const place::PlacementResult& one : found) placements.push_back(json_of(one));
+  return Json{{"configured", json_of(configured)}, {"placements", placements}}.dump();
 }
 
 }  // namespace morphe::commands

@@ -16,7 +16,7 @@ std::string place_row(const std::string& name, const place::PlacementResult& fou
 std::string placement_yaml(const map::PlacementOptions& placement);
 
 /// Returns the given placement and the found ones as JSON.
-std::string place_json(const place::PlacementResult& given,
+std::string place_json(const place::PlacementResult& configured,
                        const std::vector<place::PlacementResult>& found);
 
 }  // namespace morphe::commands

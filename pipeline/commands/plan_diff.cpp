@@ -52,8 +52,8 @@ FigureChange change_of(const std::vector<PlanPair>& pairs, std::size_t figure) {
     if (std::isnan(moved)) continue;
     before.push_back(pair.first->figures[figure]);
     after.push_back(pair.second->figures[figure]);
-    if (std::abs(moved) <= std::abs(change.largest)) continue;
-    change.largest = moved;
+    if (std::abs(moved) <= std::abs(change.max_change)) continue;
+    change.max_change = moved;
     change.plan = pair.name;
   }
   change.plans = before.size();
@@ -74,7 +74,7 @@ std::vector<std::string> file_changes(const PlanFileHeader& a, const PlanFileHea
     });
   };
   if (begins("robot/") || begins("@robot")) changes.emplace_back("another robot");
-  if (begins("inputs")) changes.emplace_back("other texts of the configs");
+  if (begins("inputs")) changes.emplace_back("configs with different text");
   return changes;
 }
 
@@ -94,8 +94,8 @@ PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem
   diff.pairs = pairs_of(a, b);
   for (std::size_t k = 0; k < kPlanFigureCount; ++k) diff.figures[k] = change_of(diff.pairs, k);
   if (a.header().config != b.header().config)
-    diff.config = run::config_changes(a.header().config, b.header().config);
-  diff.file = file_changes(a.header(), b.header(), diff.dataset_differences);
+    diff.config_changes = run::config_changes(a.header().config, b.header().config);
+  diff.file_changes = file_changes(a.header(), b.header(), diff.dataset_differences);
   return diff;
 }
 

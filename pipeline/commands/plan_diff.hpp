@@ -32,7 +32,7 @@ struct FigureChange {
   /// The medians in the two files.
   double median_first = kUnknown, median_second = kUnknown;
   /// Signed change that is largest in magnitude.
-  double largest = 0;
+  double max_change = 0;
   /// Plan with this change, "" if there is no change.
   std::string plan;
 };
@@ -46,9 +46,9 @@ struct PlanDiff {
   /// The changes of all figures.
   std::array<FigureChange, kPlanFigureCount> figures;
   /// Changes of the config, such as "map.starts 24 -> 32".
-  std::vector<std::string> config;
+  std::vector<std::string> config_changes;
   /// Other differences of the files, such as "another dataset".
-  std::vector<std::string> file;
+  std::vector<std::string> file_changes;
   /// Bitwise differences.
   run::DiffReport dataset_differences;
 

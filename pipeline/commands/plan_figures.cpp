@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "core/math/statistics.hpp"
 #include "pipeline/planning/palm_error.hpp"
 
 namespace morphe::commands {
@@ -14,7 +16,7 @@ namespace {
 /// Returns the largest error over the mapped frames and the goals in reach [m].
 double mapped_tip_error_max(const RobotModel&, const Plan& plan) {
   double worst_m = kUnknown;
-  const JointRows& errors = plan.mapped.position_error;
+  const JointRows& errors = plan.mapped.tip_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
@@ -27,7 +29,7 @@ double mapped_tip_error_max(const RobotModel&, const Plan& plan) {
 
 double share_out_of_reach(const RobotModel&, const Plan& plan) {
   double goals = 0, out = 0;
-  const JointRows& errors = plan.mapped.position_error;
+  const JointRows& errors = plan.mapped.tip_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
@@ -63,21 +65,21 @@ double certificate_figure(const RobotModel&, const Plan& plan) {
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
-    {"mapped", "mapped tips", "mm", 1e3, 2, 1, mapped_tip_error_max},
-    {"out_of_reach", "out of reach", "%", 100, 1, 1, share_out_of_reach},
-    {"step", "largest step", "rad", 1, 3, 1, largest_step},
-    {"grasp", "tips at grasp", "mm", 1e3, 2, 1,
-     certificate_figure<&Certificate::position_error_grasp>},
-    {"tips_mean", "tips mean", "mm", 1e3, 2, 1,
-     certificate_figure<&Certificate::position_error_mean>},
-    {"tips", "tips max", "mm", 1e3, 2, 1, certificate_figure<&Certificate::position_error_max>},
+    {"mapped_tip_error", "mapped tips", "mm", 1e3, 2, 1, mapped_tip_error_max},
+    {"unreachable_share", "out of reach", "%", 100, 1, 1, share_out_of_reach},
+    {"max_joint_step", "max joint step", "rad", 1, 3, 1, largest_step},
+    {"tip_error_grasp", "tips at grasp", "mm", 1e3, 2, 1,
+     certificate_figure<&Certificate::tip_error_grasp>},
+    {"tip_error_mean", "tips mean", "mm", 1e3, 2, 1,
+     certificate_figure<&Certificate::tip_error_mean>},
+    {"tip_error_max", "tips max", "mm", 1e3, 2, 1, certificate_figure<&Certificate::tip_error_max>},
     {"humanlikeness", "humanlikeness A", "cm^2", 1e4, 1, 1,
      certificate_figure<&Certificate::humanlikeness_final>, true},
-    {"upper_arm", "upper arm", "deg", kDegreesPerRadian, 1, 1,
+    {"upper_arm_error", "upper arm", "deg", kDegreesPerRadian, 1, 1,
      certificate_figure<&Certificate::upper_arm_error_mean>, true},
-    {"palm", "palm", "deg", kDegreesPerRadian, 1, 1, planning::palm_error},
+    {"palm_error", "palm", "deg", kDegreesPerRadian, 1, 1, planning::palm_error},
     {"clearance", "clearance", "mm", 1e3, 1, -1, certificate_figure<&Certificate::clearance>},
-    {"tempo", "tempo", "", 1, 2, 1, certificate_figure<&Certificate::tempo>},
+    {"tempo", "duration ratio", "", 1, 2, 1, certificate_figure<&Certificate::duration_ratio>},
     {"duration", "duration", "s", 1, 2, 1, duration},
 }};
 
@@ -93,10 +95,7 @@ FigureValues figures_of(const RobotModel& robot, const Plan& plan) {
 
 double median_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return kUnknown;
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+  return math::midpoint_median(std::move(values));
 }
 
 std::string format_figure(const PlanFigure& figure, double value, bool arm_estimated) {

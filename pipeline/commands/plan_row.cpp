@@ -36,20 +36,34 @@ double mean_mm(const JointRows& errors) {
 std::string reach_line(const Plan& plan) {
   const JointRows& nearest = plan.mapped.least_attainable_error;
   if (std::isnan(mean_mm(nearest))) return "";
-  const JointRows there = nearest.array().isNaN().select(kUnknown, plan.mapped.position_error);
+  const JointRows there = nearest.array().isNaN().select(kUnknown, plan.mapped.tip_error);
   return fmt::format(
-      "out of reach: tips {} mm from these goals in the mean, {} mm as near as they can come; {} "
-      "mm over all goals",
-      in_mm(mean_mm(there)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.position_error)));
+      "goals out of reach: mean tip error {} mm, smallest possible {} mm; mean over all goals {} "
+      "mm",
+      in_mm(mean_mm(there)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.tip_error)));
+}
+
+std::string finding_sentence(const Finding& finding) {
+  const std::string mm = fmt::format("{:.1f} mm", 1e3 * finding.excess);
+  const std::string degrees = fmt::format("{:.2f} deg", finding.excess / kRadPerDegree);
+  switch (finding.cause) {
+    case Cause::jump:
+      return fmt::format("{} jumps by {} more than allowed", finding.subject, degrees);
+    case Cause::joint_limit:
+      return fmt::format("{} is {} beyond its limit", finding.subject, degrees);
+    case Cause::tracking:
+      return fmt::format("{} is {} beyond its tolerance", finding.subject, mm);
+    case Cause::object_collision:
+    case Cause::self_collision:
+    case Cause::table:
+      break;
+  }
+  return fmt::format("{} is {} too close to {}", finding.subject, mm, finding.other_body);
 }
 
 std::string finding_line(const Finding& finding) {
-  const bool angle = finding.cause == Cause::jump || finding.cause == Cause::limit;
-  return fmt::format("found: {} {}{} at {:.2f}-{:.2f} s, {} too far", name_of(finding.cause),
-                     finding.first, finding.second.empty() ? "" : " " + finding.second,
-                     finding.begin_s, finding.end_s,
-                     angle ? fmt::format("{:.4f} rad", finding.depth)
-                           : fmt::format("{:.1f} mm", 1e3 * finding.depth));
+  return fmt::format("found: {}, {:.2f}-{:.2f} s ({})", finding_sentence(finding), finding.begin_s,
+                     finding.end_s, name_of(finding.cause));
 }
 
 std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
@@ -96,16 +110,16 @@ struct FigureColumn {
   const char *key, *top, *below;
   int spare;
 };
-constexpr std::array<FigureColumn, 10> kColumns{{{"mapped", "mapped", "tips mm", 9},
-                                                 {"out_of_reach", "out of", "reach %", 3},
-                                                 {"step", "largest", "step rad", 10},
-                                                 {"grasp", "tips at", "grasp mm", 5},
-                                                 {"tips", "tips", "max mm", 1},
+constexpr std::array<FigureColumn, 10> kColumns{{{"mapped_tip_error", "mapped", "tips mm", 9},
+                                                 {"unreachable_share", "out of", "reach %", 3},
+                                                 {"max_joint_step", "max joint", "step rad", 10},
+                                                 {"tip_error_grasp", "tips at", "grasp mm", 5},
+                                                 {"tip_error_max", "tips", "max mm", 1},
                                                  {"humanlikeness", "human-", "like cm^2", 4},
-                                                 {"upper_arm", "upper arm", "mean deg", 6},
-                                                 {"palm", "palm", "mean deg", 7},
+                                                 {"upper_arm_error", "upper arm", "mean deg", 6},
+                                                 {"palm_error", "palm", "mean deg", 7},
                                                  {"clearance", "clearance", "mm", 8},
-                                                 {"tempo", "tempo", "", 2}}};
+                                                 {"tempo", "duration", "ratio", 2}}};
 
 }  // namespace
 
@@ -115,9 +129,9 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
-  row.against_estimate = is_arm_estimated(plan.goals);
+  row.arm_estimated = is_arm_estimated(plan.goals);
   row.lines = lines_of(robot, plan);
-  row.world = plan.world;
+  row.world = plan.reference_frames;
   row.remarks = scene_remarks(plan);
   return row;
 }
@@ -128,7 +142,7 @@ std::string row_to_json(const PlanRow& row) {
               {"status", row.status},
               {"reason", row.reason},
               {"figures", row.figures},
-              {"against_estimate", row.against_estimate},
+              {"arm_estimated", row.arm_estimated},
               {"lines", row.lines},
               {"recording", matrix_json(world.base_from_world)},
               {"table", matrix_json(world.base_from_table)},
@@ -147,7 +161,7 @@ PlanRow row_from_json(const std::string& text) {
     row_json.at("reason").get_to(row.reason);
     for (std::size_t k = 0; k < kPlanFigureCount; ++k)
       row.figures[k] = number_of(row_json.at("figures").at(k));
-    row_json.at("against_estimate").get_to(row.against_estimate);
+    row_json.at("arm_estimated").get_to(row.arm_estimated);
     row_json.at("lines").get_to(row.lines);
     row.world.base_from_world = pose_of(row_json.at("recording"));
     row.world.base_from_table = pose_of(row_json.at("table"));
@@ -156,7 +170,7 @@ PlanRow row_from_json(const std::string& text) {
       row.world.shoulder[k] = number_of(row_json.at("shoulder").at(static_cast<std::size_t>(k)));
     row_json.at("remarks").get_to(row.remarks);
   } catch (const nlohmann::json::exception&) {
-    throw InputError("a row of the journal's table is damaged; --fresh begins anew");
+    throw InputError("a row of the journal's table is damaged; plan again with --fresh");
   }
   return row;
 }
@@ -168,7 +182,7 @@ void check_selection(const RowSelection& choice) {
   std::vector<std::string_view> keys;
   for (const PlanFigure& figure : plan_figures()) keys.push_back(figure.key);
   throw InputError(
-      fmt::format("--sort: '{}' is none of name, {}", choice.sort_key, fmt::join(keys, ", ")));
+      fmt::format("--sort: '{}' is not one of name, {}", choice.sort_key, fmt::join(keys, ", ")));
 }
 
 bool is_selected(const RowSelection& choice, const PlanRow& row) {
@@ -203,7 +217,7 @@ std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
     out.cells = {row.name, row.status};
     for (const FigureColumn& column : kColumns) {
       const std::size_t k = figure_index(column.key);
-      out.cells.push_back(format_figure(plan_figures()[k], row.figures[k], row.against_estimate));
+      out.cells.push_back(format_figure(plan_figures()[k], row.figures[k], row.arm_estimated));
     }
     out.lines = row.lines;
   }

@@ -20,7 +20,7 @@ struct PlanRow {
   /// The values of the figures.
   FigureValues figures{};
   /// True if shoulder or elbow were not recorded.
-  bool against_estimate = false;
+  bool arm_estimated = false;
   /// Reason for an infeasible plan, advice, notes, findings.
   std::vector<std::string> lines;
   /// Frames of the scene.

@@ -22,7 +22,7 @@ std::vector<fs::path> find_plans(const fs::path& named) {
     if (fs::exists(entry.path() / "plans.h5")) found.push_back(entry.path() / "plans.h5");
   }
   std::ranges::sort(found);
-  if (found.empty()) throw InputError(fmt::format("{}: holds no plans.h5", named.string()));
+  if (found.empty()) throw InputError(fmt::format("{}: contains no plans.h5", named.string()));
   return found;
 }
 
@@ -42,7 +42,8 @@ fs::path find_plans_file(const fs::path& named) {
   }
   std::string list;
   for (const fs::path& file : found) list += (list.empty() ? "" : ", ") + file.string();
-  throw InputError(fmt::format("{}: holds several plans.h5: name one of {}", named.string(), list));
+  throw InputError(
+      fmt::format("{}: contains several plans.h5; give one of {}", named.string(), list));
 }
 
 }  // namespace morphe::commands

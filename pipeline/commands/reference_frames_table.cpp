@@ -48,18 +48,10 @@ TextTable::Row row_of_points(const std::string& name, const std::vector<PointInF
   return row;
 }
 
-/// Returns the significant components of a base's axis in the frame of the recording: "0.97 right
-/// 0.26 up".
+/// Formats an axis of the base in the frame of the recording: "(0.26, 0.00, 0.97)".
 std::string axis_text(const Vec3& axis) {
-  static constexpr const char* kPlus[] = {"right", "forward", "up"};
-  static constexpr const char* kMinus[] = {"left", "backward", "down"};
-  std::string text;
-  for (int k = 0; k < 3; ++k) {
-    if (std::abs(axis[k]) < 0.005) continue;
-    text += fmt::format("{}{:.2f} {}", text.empty() ? "" : " ", std::abs(axis[k]),
-                        axis[k] > 0 ? kPlus[k] : kMinus[k]);
-  }
-  return text;
+  const Vec3 rounded = (100 * axis).array().round() / 100 + 0.0;  // without -0
+  return fmt::format("({:.2f}, {:.2f}, {:.2f})", rounded.x(), rounded.y(), rounded.z());
 }
 
 /// Returns, for each object, the first remark and the number of plans with a remark, because
@@ -100,7 +92,7 @@ std::string reference_frames_text(const std::string& robot, const std::vector<Pl
   }
   if (!first) return "";
   TextTable text;
-  text.columns = {{"where things stand (mm)", "", true, 0},
+  text.columns = {{"positions (mm, medians)", "", true, 0},
                   {"base's", "x", false, 0},
                   {"frame", "y", false, 0},
                   {"", "z", false, 0},
@@ -110,16 +102,18 @@ std::string reference_frames_text(const std::string& robot, const std::vector<Pl
                   {"recording's", "X", false, 2},
                   {"frame", "Y", false, 2},
                   {"", "Z", false, 2},
-                  {"differs", "by up to", false, 3}};
+                  {"spread", "max", false, 3}};
   text.rows = {row_of_points("base of " + robot, base),
-               row_of_points("the person's shoulder", shoulder)};
-  if (!table.empty()) text.rows.push_back(row_of_points("table, middle of its top", table));
-  if (!target.empty()) text.rows.push_back(row_of_points("target, its centre", target));
+               row_of_points("person's shoulder", shoulder)};
+  if (!table.empty()) text.rows.push_back(row_of_points("centre of the table top", table));
+  if (!target.empty()) text.rows.push_back(row_of_points("centre of the target", target));
   const Eigen::Matrix3d axes = first->world.base_from_world.linear().transpose();
   return table_text(text, width) +
-         wrap_line(fmt::format("{}: x {}, y {}, z {} of the person", robot, axis_text(axes.col(0)),
-                               axis_text(axes.col(1)), axis_text(axes.col(2))),
-                   width, "") +
+         wrap_line(
+             fmt::format(
+                 "{}: base axes in the person's frame (right, forward, up): x {}, y {}, z {}",
+                 robot, axis_text(axes.col(0)), axis_text(axes.col(1)), axis_text(axes.col(2))),
+             width, "") +
          remarks_text(rows, width);
 }
 

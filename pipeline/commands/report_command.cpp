@@ -56,9 +56,10 @@ void read_worst(const std::vector<std::string>& worst, report::Selection& select
     selection.worst_count = 0;
   }
   if (selection.worst_count < 1)
-    throw InputError(fmt::format("--worst: '{}' is no number of plans", worst[0]));
+    throw InputError(fmt::format("--worst: '{}' is not a number of plans", worst[0]));
   if (std::ranges::find(names, worst[1]) == names.end())
-    throw InputError(fmt::format("--worst: '{}' is none of {}", worst[1], fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("--worst: '{}' is not one of {}", worst[1], fmt::join(names, ", ")));
   selection.ranking_measure = worst[1];
 }
 
@@ -90,22 +91,23 @@ int execute(ReportArguments& arguments) {
 Command report_command(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();
   app.add_option("FILE", arguments->files,
-                 "plans.h5, or a run's folder; several are shown side by side")
+                 "plans.h5 or folders of runs; several are compared side by side")
       ->required();
   app.add_option("--out", arguments->out, "Page to write (HTML)");
-  app.add_option("--svg", arguments->svg, "Folder for a filmstrip of each plan (SVG)");
+  app.add_option("--svg", arguments->svg, "Folder for one filmstrip per plan (SVG)");
   app.add_option("--plans", arguments->request.selection.pattern,
-                 "Plans of that name alone: DEMONSTRATION/000, with * and ?");
-  app.add_flag("--failed", arguments->request.selection.infeasible_only, "Infeasible plans alone");
+                 "Only plans whose name matches: DEMONSTRATION/000, with * and ?");
+  app.add_flag("--infeasible", arguments->request.selection.infeasible_only,
+               "Only infeasible plans");
   app.add_option("--worst", arguments->worst,
-                 fmt::format("N BY: the N worst alone, by {}",
+                 fmt::format("N BY: only the N worst plans by {}",
                              fmt::join(report::ranking_measure_names(), ", ")))
       ->expected(2)
       ->type_name("N BY");
   app.add_option("--meshes", arguments->request.meshes,
-                 "Folder of the robot's meshes: URDFs with what they name, or FRAME.stl");
-  app.add_option("--physics", arguments->request.physics,
-                 "Folders that morphe simulate has written (default: physics beside the plans)")
+                 "Folder with the robot's meshes: URDFs and their mesh files, or FRAME.stl");
+  app.add_option("--simulation", arguments->request.physics,
+                 "Folders written by morphe simulate (default: physics in the folder of the plans)")
       ->type_name("DIR")
       ->allow_extra_args(false);
   return [arguments] { return execute(*arguments); };

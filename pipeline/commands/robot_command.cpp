@@ -25,19 +25,18 @@ Command robot_command(CLI::App& app) {
     int samples = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "Robot description, or a URDF to be looked at")
-      ->transform(input_file());
+  app.add_option("FILE", arguments->file, "Robot description or URDF")->transform(input_file());
   const Command setup = add_robot_setup(app);
-  app.add_option("--svg", arguments->svg, "SVG file for a drawing, front and side view");
+  app.add_option("--svg", arguments->svg, "SVG file for a drawing (front and side view)");
   app.add_option("--urdf", arguments->urdf, "URDF file to write the robot to");
-  app.add_option(
-         "--self-collision", arguments->samples,
-         "Print which pairs of capsules overlap always, never or sometimes in N random positions")
+  app.add_option("--self-collision", arguments->samples,
+                 "Print the pairs of capsules that overlap always, never or sometimes in N random "
+                 "positions")
       ->check(CLI::Range(1, 100'000'000));
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments, setup, &app] {
     if (app.got_subcommand("setup")) return setup();
-    if (arguments->file.empty()) throw InputError("robot: needs FILE, or setup");
+    if (arguments->file.empty()) throw InputError("robot: needs FILE or the subcommand setup");
     for (const std::string& out : {arguments->svg, arguments->urdf})
       files::expect_not_input(out, arguments->file);
     const robot::RobotDescription robot = read_robot(arguments->file);

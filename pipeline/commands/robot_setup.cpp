@@ -82,14 +82,14 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
 }
 
 int execute(const SetupArguments& arguments) {
-  if (arguments.inputs.size() > 2) throw InputError("robot setup: takes an arm, a hand, or both");
+  if (arguments.inputs.size() > 2) throw InputError("robot setup: needs an arm, a hand, or both");
   const fs::path out = arguments.out;
   for (const std::string& input : arguments.inputs) files::expect_not_input(out, input);
   std::vector<fs::path> descriptions;
   for (const std::string& input : arguments.inputs) {
     const bool alone = arguments.inputs.size() == 1;
     if (!is_urdf(input)) {
-      if (alone) throw InputError(fmt::format("{}: is no URDF", input));
+      if (alone) throw InputError(fmt::format("{}: is not a URDF", input));
       descriptions.emplace_back(input);
       continue;
     }
@@ -112,23 +112,24 @@ int execute(const SetupArguments& arguments) {
 }  // namespace
 
 Command add_robot_setup(CLI::App& robot) {
-  CLI::App& app =
-      *robot.add_subcommand("setup", "Make a description of a URDF, or of an arm's and a hand's");
+  CLI::App& app = *robot.add_subcommand(
+      "setup", "Create a robot description from a URDF, or from those of an arm and a hand");
   const auto arguments = std::make_shared<SetupArguments>();
   app.add_option("URDF", arguments->inputs,
-                 "An arm, a hand, or both in this order (also descriptions)")
+                 "URDF of an arm, a hand, or both in this order (robot descriptions work, too)")
       ->required()
       ->transform(input_file());
-  app.add_option("--out", arguments->out, "Description to write (YAML), with a picture beside it")
+  app.add_option("--out", arguments->out,
+                 "Description to write (YAML); a drawing (SVG) is written next to it")
       ->required();
   app.add_option("--name", arguments->name, "The robot's name");
   app.add_option("--mount", arguments->mount,
                  "X Y Z ROLL PITCH YAW: the hand's base on the arm's flange (m, rad)")
       ->expected(6);
-  app.add_option("--hand", arguments->hand, "Link from which the fingers part");
-  app.add_option("--package", arguments->packages, "NAME=DIR: where package://NAME is")
+  app.add_option("--hand", arguments->hand, "Link from which the fingers branch");
+  app.add_option("--package", arguments->packages, "NAME=DIR: folder of package://NAME")
       ->allow_extra_args(false);
-  app.add_option("--capsules", arguments->capsules, "Capsules of a link at most")
+  app.add_option("--capsules", arguments->capsules, "Maximum number of capsules per link")
       ->check(CLI::Range(1, 1000));
   return [arguments] { return execute(*arguments); };
 }

@@ -42,8 +42,8 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
     if (!plan.has_trajectory()) continue;
     executable += plan.executable() ? 1 : 0;
     repaired += plan.certificate.repaired ? 1 : 0;
-    tips_m += plan.certificate.position_error_mean;
-    tips_max_m = std::fmax(tips_max_m, plan.certificate.position_error_max);
+    tips_m += plan.certificate.tip_error_mean;
+    tips_max_m = std::fmax(tips_max_m, plan.certificate.tip_error_max);
     moving.push_back(figures_of(plans.robot(), plan));
     estimate = estimate || is_arm_estimated(plan.goals);
   }
@@ -52,7 +52,8 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
                100 * static_cast<double>(goals.out_of_reach) / static_cast<double>(goals.all), 1),
            format_decimal(1e3 * tips_m / static_cast<double>(moving.size()), 2),
            format_decimal(1e3 * tips_max_m, 2), median(moving, "humanlikeness", estimate),
-           median(moving, "upper_arm", estimate), median(moving, "palm"), median(moving, "tempo")},
+           median(moving, "upper_arm_error", estimate), median(moving, "palm_error"),
+           median(moving, "tempo")},
           {}};
 }
 
@@ -70,7 +71,7 @@ std::string robots_table(const std::vector<std::pair<std::string, std::filesyste
                    {"human-", "like cm^2", false, 4},
                    {"upper arm", "median deg", false, 6},
                    {"palm", "median deg", false, 7},
-                   {"tempo", "median", false, 2}};
+                   {"duration", "ratio med.", false, 2}};
   for (const auto& [name, plans] : robots)
     table.rows.push_back(robot_row(name, store::PlanReader(plans)));
   return table_text(table, width);

@@ -11,9 +11,8 @@ void add_row_options(CLI::App& app, RowSelection& choice) {
   for (const PlanFigure& figure : plan_figures()) keys += fmt::format(", {}", figure.key);
   app.add_option("--sort", choice.sort_key, "The worst rows first: " + keys)->type_name("KEY");
   app.add_option("--only", choice.filters,
-                 "Rows of that status (executable, repaired, approximate, infeasible) or reason, "
-                 "or plans of "
-                 "that name, with * and ?; several must all hold")
+                 "Only plans with this status (executable, repaired, approximate, infeasible), "
+                 "reason or name (with * and ?); if repeated, all must match")
       ->type_name("WHAT")
       ->allow_extra_args(false);
 }

@@ -59,7 +59,7 @@ std::vector<fs::path> dataset_of(const RunArguments& arguments,
   if (!arguments.from.empty()) throw InputError("--from: needs --dataset");
   if (!config.dataset.empty()) return {config.dataset};
   throw InputError(
-      fmt::format("{}: dataset: is missing (and there is no --dataset)", arguments.config));
+      fmt::format("{}: dataset: is missing (give it here, or --dataset)", arguments.config));
 }
 
 /// The run of one robot. A config without `robots` has one, with the folder of the results as its
@@ -113,7 +113,8 @@ class Dataset {
       key_ += fs::weakly_canonical(named).string() + "\n";
       if (fs::is_directory(named) || !is_demonstrations_file(named)) continue;
       if (request.paths.size() > 1)
-        throw InputError(fmt::format("{}: HDF5 stands alone as a dataset", named.string()));
+        throw InputError(fmt::format("{}: an HDF5 dataset cannot be combined with other datasets",
+                                     named.string()));
       return;
     }
     writes_manifest_ = !are_all_manifests(request.paths);
@@ -180,11 +181,12 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
 }
 
 int report_stop(const RobotRun& one, int signal) {
-  fmt::print(stderr,
-             "{}: stopped by {}: {} of {} finished and kept; the same command goes on from here\n",
-             one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
-             one.summary.demonstrations,
-             count_with_noun(one.folder->journal().scheduled_count(), "demonstration"));
+  fmt::print(
+      stderr,
+      "{}: stopped by {}: {} of {} finished and kept; run the same command again to continue\n",
+      one.folder->path().string(), signal == SIGINT ? "SIGINT" : "SIGTERM",
+      one.summary.demonstrations,
+      count_with_noun(one.folder->journal().scheduled_count(), "demonstration"));
   return kSignalExitOffset + signal;
 }
 
@@ -254,15 +256,14 @@ void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs
         {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
   const fs::path page = fs::path(arguments.out) / "report.html";
   report::write_report(request, page);
-  if (!arguments.json && !arguments.quiet)
-    fmt::print("{}: to be opened in a browser\n", page.string());
+  if (!arguments.json && !arguments.quiet) fmt::print("{}: open it in a browser\n", page.string());
 }
 
 int execute(const RunArguments& arguments) {
   if (arguments.config.empty() == arguments.from.empty())
     throw InputError("run: needs either CONFIG or --from");
   if (!arguments.from.empty() && !arguments.settings.empty())
-    throw InputError("--set: does not go with --from");
+    throw InputError("--set: cannot be combined with --from");
   check_selection(arguments.choice);
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
@@ -291,14 +292,13 @@ int execute(const RunArguments& arguments) {
 Command run_command(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
   app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
-  app.add_option("--from", arguments->from,
-                 "plans.h5 whose config, robot and scene are used again");
+  app.add_option("--from", arguments->from, "plans.h5 whose config, robot and scene are used");
   app.add_option("--out", arguments->out,
                  "Folder for plans.h5; an unfinished run in it is continued")
       ->required();
   app.add_option("--dataset", arguments->datasets,
                  "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
-                 "the config's; may stand several times")
+                 "the config's; may be repeated")
       ->allow_extra_args(false)
       ->transform(input_file());
   add_import_options(app, arguments->recordings);
@@ -307,16 +307,18 @@ Command run_command(CLI::App& app) {
                  "KEY=VALUE: change a value of the config, such as map.starts=64")
       ->allow_extra_args(false);
   app.add_option("--shard", arguments->shard,
-                 "I/N: plan part I of N of the dataset; slurm: the part of this array task");
-  app.add_flag("--fresh", arguments->fresh,
-               "Plan everything anew, including what an earlier run in the folder finished");
-  app.add_flag("--quiet", arguments->quiet, "No progress and no table, the summary alone");
-  app.add_flag("--verbose", arguments->verbose,
-               "A line for each demonstration, also on a terminal, with why it is planned")
+                 "I/N: plan part I of N of the dataset; slurm: the part of this job-array task");
+  app.add_flag(
+      "--fresh", arguments->fresh,
+      "Plan everything again, including demonstrations that an earlier run in the folder finished");
+  app.add_flag("--quiet", arguments->quiet, "Print only the summary: no progress, no table");
+  app.add_flag(
+         "--verbose", arguments->verbose,
+         "Print one line per demonstration, also on a terminal, with the reason why it is planned")
       ->excludes("--quiet");
-  app.add_flag("--explain", arguments->explain, "Say for each demonstration why it is planned");
+  app.add_flag("--explain", arguments->explain, "Print for each demonstration why it is planned");
   app.add_flag("--report", arguments->report,
-               "Write DIR/report.html, too: a page that plays every plan");
+               "Also write DIR/report.html, a page that plays every plan");
   add_row_options(app, arguments->choice);
   app.add_flag("--strict", arguments->strict, "Exit 1 unless every movement is executable");
   app.add_flag("--json", arguments->json, "Print JSON");

@@ -20,8 +20,8 @@ bool overlaps_horizontally(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox
 std::map<std::string, std::string> scene_remarks(const Plan& plan) {
   std::map<std::string, std::string> remarks;
   const SceneObject* table = find_object(plan.scene.objects, "table");
-  if (!table || !is_known(plan.world.base_from_table)) return remarks;
-  const Pose table_from_base = plan.world.base_from_table.inverse();
+  if (!table || !is_known(plan.reference_frames.base_from_table)) return remarks;
+  const Pose table_from_base = plan.reference_frames.base_from_table.inverse();
   const auto extent = [&](const SceneObject& object) {
     return bounding_box(object, table_from_base * recorded_pose(object, plan.movement.begin_s));
   };
@@ -38,13 +38,13 @@ std::map<std::string, std::string> scene_remarks(const Plan& plan) {
     });
     if (low > kMaxFloatingHeight_m && !held_up) {
       remarks[object.name] = fmt::format(
-          "{} hangs {:.0f} mm above the table, with nothing below it; to stand on it: relative_to: "
-          "table, anchor: foot, position [x, y, 0]",
+          "{} is {:.0f} mm above the table without support; to place it on the table: relative_to: "
+          "table, anchor: bottom_centre, position [x, y, 0]",
           object.name, 1e3 * low);
     } else if (low < -kMaxSinkDepth_m && box.max().z() > kMaxSinkDepth_m) {
       remarks[object.name] = fmt::format(
-          "{} goes {:.0f} mm into the table; to stand on it: relative_to: table, anchor: foot, "
-          "position [x, y, 0]",
+          "{} is {:.0f} mm deep in the table; to place it on the table: relative_to: table, "
+          "anchor: bottom_centre, position [x, y, 0]",
           object.name, -1e3 * low);
     }
   }

@@ -27,13 +27,13 @@ struct FileKind {
 };
 
 constexpr FileKind kFileKinds[] = {
-    {"config", "A pipeline of Morphe", planning::config_schema},
-    {"manifest", "A manifest of recordings for Morphe", imports::manifest_schema},
-    {"robot", "A robot description of Morphe",
+    {"config", "Pipeline config of Morphe", planning::config_schema},
+    {"manifest", "Manifest of recordings for Morphe", imports::manifest_schema},
+    {"robot", "Robot description of Morphe",
      [](const config::KeyDescriptions&) { return robot::robot_schema(); }},
-    {"scene", "Objects of a scene of Morphe", scene::scene_schema},
-    {"study", "A study of Morphe", study::study_schema},
-    {"synthetic", "What Morphe generates",
+    {"scene", "Scene objects of Morphe", scene::scene_schema},
+    {"study", "Study config of Morphe", study::study_schema},
+    {"synthetic", "Config for synthetic recordings of Morphe",
      [](const config::KeyDescriptions& meanings) {
        return config::schema_of<synthesize::SynthesizeOptions>(meanings);
      }},
@@ -56,8 +56,8 @@ const FileKind& find_file_kind(const std::string& name) {
   }
   const std::string meant = config::spelling_hint(name, names);
   throw InputError(
-      fmt::format("schema: there is none of '{}'{}", name,
-                  meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant));
+      fmt::format("schema: unknown kind '{}'{}", name,
+                  meant.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : meant));
 }
 
 int write_all(const std::filesystem::path& folder) {
@@ -78,11 +78,11 @@ Command schema_command(CLI::App& app) {
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("KIND", arguments->kind,
-                 "config, manifest, robot, scene, study or synthetic; without it all are written");
-  app.add_option("--out", arguments->out, "File to write; without KIND: folder");
+                 "config, manifest, robot, scene, study or synthetic (default: all)");
+  app.add_option("--out", arguments->out, "File to write, or folder if KIND is not given");
   return [arguments] {
     if (arguments->kind.empty() && arguments->out.empty())
-      throw InputError("schema: needs KIND, or --out FOLDER for all of them");
+      throw InputError("schema: needs KIND, or --out FOLDER for all kinds");
     if (arguments->kind.empty()) return write_all(arguments->out);
     const std::string text = text_of(find_file_kind(arguments->kind));
     if (arguments->out.empty()) {

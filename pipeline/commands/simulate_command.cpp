@@ -108,7 +108,8 @@ std::optional<simulate::Range> range_of(const std::vector<double>& ends) {
 int execute(SimulateArguments& arguments) {
   if (physics::engine_version().empty()) {
     throw InputError(
-        "simulate: this build has no MuJoCo: install libmujoco-dev, configure and build again");
+        "simulate: this build has no MuJoCo: install libmujoco-dev, then configure and build "
+        "again");
   }
   arguments.options.load_directions =
       *enum_from_name<simulate::Directions>(arguments.load_directions);
@@ -138,52 +139,54 @@ int execute(SimulateArguments& arguments) {
 Command simulate_command(CLI::App& app) {
   const auto arguments = std::make_shared<SimulateArguments>();
   simulate::SimulateOptions& options = arguments->options;
-  app.add_option("FILE", arguments->plans, "plans.h5, or a run's folder")->required();
+  app.add_option("FILE", arguments->plans, "plans.h5 or the folder of a run")->required();
   app.add_option("--out", arguments->out, "Folder to write the results to")->required();
   app.add_option("--rollouts", options.rollouts,
-                 "Rollouts a plan, of which all but the first are varied (default: 16)");
-  app.add_option("--load-directions", arguments->load_directions,
-                 "Rollouts in which the weight also comes from six directions: none, first, every")
+                 "Rollouts per plan; all but the first are varied (default: 16)");
+  app.add_option(
+         "--load-directions", arguments->load_directions,
+         "Rollouts in which the weight is also applied in six directions: none, first, every")
       ->check(CLI::IsMember({"none", "first", "every"}));
-  app.add_option("--friction", options.friction, "Between fingers and target (default: 0.8)");
+  app.add_option("--friction", options.friction,
+                 "Friction coefficient between fingers and target (default: 0.8)");
   app.add_option("--torsional-friction", options.torsional_friction_m,
-                 "Torsional friction between them, a length in m (default: 0.002)");
-  app.add_option("--mass", options.mass_kg, "Of the target, kg (default: 0.3)");
+                 "Torsional friction between fingers and target, a length in m (default: 0.002)");
+  app.add_option("--mass", options.mass_kg, "Mass of the target, kg (default: 0.3)");
   app.add_option("--friction-range", arguments->friction_range,
-                 "FROM TO: friction of all rollouts but the first is spread over it")
+                 "FROM TO: range of the friction in all rollouts but the first")
       ->expected(2)
       ->type_name("FROM TO");
   app.add_option("--mass-range", arguments->mass_range,
-                 "FROM TO: mass of all rollouts but the first is spread over it, kg")
+                 "FROM TO: range of the mass in all rollouts but the first, kg")
       ->expected(2)
       ->type_name("FROM TO");
   app.add_option("--contacts", arguments->contacts,
-                 "planned: the plan's squeeze, where it has one; nearest: of the fingers with "
-                 "goals")
+                 "planned: contacts and grasp force of the plan, if it has them; nearest: nearest "
+                 "points of the fingers with goals")
       ->check(CLI::IsMember({"planned", "nearest"}));
   app.add_option("--thumb-force", options.force_N,
-                 "The thumb's squeeze of nearest contacts, N (default: 8)");
+                 "Force of the thumb for nearest contacts, N (default: 8)");
   app.add_option("--hand-stiffness", options.hand_stiffness,
-                 "Of the fingers' servos, N m/rad (default: 10)");
+                 "Stiffness of the finger servos, N m/rad (default: 10)");
   app.add_option("--hand-torque-limit", options.hand_torque_limit,
-                 "Limit of the fingers' motors, N m (default: 1)");
+                 "Torque limit of the finger motors, N m (default: 1)");
   app.add_option("--servos", arguments->servos,
-                 "YAML file of single joints' stiffness, velocity_gain, armature, damping and "
-                 "torque_limit")
+                 "YAML file with stiffness, velocity_gain, armature, damping and torque_limit of "
+                 "single joints")
       ->type_name("FILE");
   app.add_option("--density", options.density,
-                 "Of the robot's capsules, kg per cubic metre (default: 1000)");
-  app.add_option("--time-step", options.step_s, "Of the simulation, s (default: 0.002)");
-  app.add_option("--integrator", arguments->integrator, "implicit or euler")
+                 "Density of the robot's capsules, kg/m^3 (default: 1000)");
+  app.add_option("--time-step", options.step_s, "Time step of the simulation, s (default: 0.002)");
+  app.add_option("--integrator", arguments->integrator, "Integrator: implicit or euler")
       ->check(CLI::IsMember({"implicit", "euler"}));
-  app.add_option("--seed", options.seed, "Of what is varied (default: 1)");
-  app.add_option("--only", arguments->choice.filters,
-                 "Plans of that status or reason, or of that name, with * and ?; several must all "
-                 "hold")
+  app.add_option("--seed", options.seed, "Random seed of the variations (default: 1)");
+  app.add_option(
+         "--only", arguments->choice.filters,
+         "Only plans with this status, reason or name (with * and ?); if repeated, all must match")
       ->type_name("WHAT")
       ->allow_extra_args(false);
   add_jobs_option(app, arguments->jobs);
-  app.add_flag("--fresh", arguments->fresh, "Simulate again what is there already");
+  app.add_flag("--fresh", arguments->fresh, "Simulate again even if the result already exists");
   app.add_flag("--quiet", arguments->quiet, "Show no progress");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };

@@ -52,8 +52,9 @@ TextTable::Row row_of(const PlanResult& result) {
       fit ? failures_text(f.failures) : std::string(name_of(result.skip_reason))};
   if (!fit) row.lines.push_back(result.detail);
   if (result.force_scale < 1)
-    row.lines.push_back(fmt::format("the fingers' torques leave {:.0f} % of the squeeze asked for",
-                                    100 * result.force_scale));
+    row.lines.push_back(
+        fmt::format("the torque limits of the fingers allow {:.0f} % of the requested grasp force",
+                    100 * result.force_scale));
   for (const std::string& note : result.notes) row.lines.push_back("note: " + note);
   for (const Rollout& one : result.rollouts) {
     if (one.lift.failure != Failure::engine_error) continue;
@@ -104,8 +105,9 @@ std::string simulation_table(const std::vector<PlanResult>& results,
                         100.0 * static_cast<double>(predictions.correct_count) /
                             static_cast<double>(predictions.total));
   }
-  return text + fmt::format("{} simulated, {} not: {} of {} held\n", count_with_noun(fit, "plan"),
-                            results.size() - fit, held, count_with_noun(rollouts, "rollout"));
+  return text + fmt::format("{} simulated, {} skipped: {} of {} held\n",
+                            count_with_noun(fit, "plan"), results.size() - fit, held,
+                            count_with_noun(rollouts, "rollout"));
 }
 
 std::string simulation_json(const std::vector<PlanResult>& results) {

@@ -23,7 +23,7 @@ Command study_command(CLI::App& app) {
       ->transform(input_file());
   app.add_option("--out", arguments->out, "Folder for the results")->required();
   app.add_flag("--quick", arguments->quick, "Run the small version");
-  app.add_flag("--quiet", arguments->quiet, "No progress");
+  app.add_flag("--quiet", arguments->quiet, "Print no progress");
   add_jobs_option(app, arguments->jobs);
   return [arguments] {
     run::OutputFolder folder(arguments->out);

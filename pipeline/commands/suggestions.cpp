@@ -48,8 +48,9 @@ std::vector<std::string> option_names(const CLI::App& app) {
 std::string unknown_command(const CLI::App& app, std::string_view word) {
   const std::vector<std::string> names = command_names(app);
   const std::string meant = config::spelling_hint(word, names);
-  return fmt::format("there is no command '{}'{}", word,
-                     meant.empty() ? fmt::format("; there are {}", fmt::join(names, ", ")) : meant);
+  return fmt::format(
+      "unknown command '{}'{}", word,
+      meant.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : meant);
 }
 
 std::string unknown_options(const CLI::App& app) {
@@ -59,7 +60,7 @@ std::string unknown_options(const CLI::App& app) {
   for (const std::string& word : command->remaining()) {
     if (word.size() < 2 || word[0] != '-') continue;
     const std::string name = word.substr(0, word.find('='));
-    lines += fmt::format("{}: there is no option {}{}\n", command->get_name(), name,
+    lines += fmt::format("{}: unknown option {}{}\n", command->get_name(), name,
                          config::spelling_hint(name, option_names(*command)));
   }
   return lines;

@@ -61,7 +61,7 @@ int execute(const SynthesizeArguments& arguments) {
   parallel::run(map, threads_of(arguments.jobs));
   recorded.finish();
   truth.finish();
-  fmt::print("{}: {}, {:.0f} s; truth in {}\n", arguments.out,
+  fmt::print("{}: {}, {:.0f} s; ground truth in {}\n", arguments.out,
              count_with_noun(arguments.count, "demonstration"), recorded_s,
              truth_file_for(arguments.out).string());
   return 0;
@@ -71,10 +71,12 @@ int execute(const SynthesizeArguments& arguments) {
 
 Command synthesize_command(CLI::App& app) {
   const auto arguments = std::make_shared<SynthesizeArguments>();
-  app.add_option("CONFIG", arguments->config, "What to generate (YAML, configs/synthetic)")
+  app.add_option("CONFIG", arguments->config,
+                 "Config of the recordings to generate (YAML, configs/synthetic)")
       ->required()
       ->transform(input_file());
-  app.add_option("--out", arguments->out, "The demonstrations.h5 to write; F.truth.h5 beside it")
+  app.add_option("--out", arguments->out,
+                 "The demonstrations.h5 to write; the ground truth goes to F.truth.h5 next to it")
       ->required();
   app.add_option("--count", arguments->count, "Number of demonstrations (default: 100)")
       ->check(CLI::PositiveNumber);

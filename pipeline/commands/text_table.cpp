@@ -133,7 +133,7 @@ std::string table_text(const TextTable& table, std::size_t width) {
       text += wrap_line(replace_controls(line), width, "  ");
   }
   if (!layout.dropped_columns.empty())
-    text += wrap_line(fmt::format("(too narrow for: {})", layout.dropped_columns), width, "");
+    text += wrap_line(fmt::format("(hidden columns: {})", layout.dropped_columns), width, "");
   return text;
 }
 

@@ -18,7 +18,7 @@ Command verify_command(CLI::App& app) {
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "plans.h5, or a run's folder")->required();
+  app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   add_jobs_option(app, arguments->jobs);
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {

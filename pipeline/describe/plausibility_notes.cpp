@@ -26,7 +26,7 @@ bool moves_a_tip(const RobotModel& robot, int joint) {
 }
 
 bool has_centre(const RobotModel& robot, const RobotModel::Tip& tip) {
-  return std::ranges::any_of(robot.centres, [&](const RobotModel::JointCentre& centre) {
+  return std::ranges::any_of(robot.joint_centres, [&](const RobotModel::JointCentre& centre) {
     return centre.chain != "arm" && robot::is_in_subtree(robot, tip.frame, centre.frame);
   });
 }
@@ -52,17 +52,18 @@ std::vector<std::string> plausibility_notes(const robot::RobotDescription& descr
     }
   }
   if (!hangs_on_body(robot, robot.palm_frame, robot.shoulder_frame)) {
-    found.push_back(fmt::format("palm {} does not hang on shoulder {}",
+    found.push_back(fmt::format("palm {} is not moved by the shoulder {}",
                                 frame_at(robot, robot.palm_frame).name,
                                 frame_at(robot, robot.shoulder_frame).name));
   }
   for (const RobotModel::Tip& tip : robot.tips) {
     if (tip.finger >= 0 && !hangs_on_body(robot, tip.frame, robot.palm_frame)) {
-      found.push_back(fmt::format("tip {} does not hang on palm {}", tip.name,
+      found.push_back(fmt::format("tip {} is not on the palm {}", tip.name,
                                   frame_at(robot, robot.palm_frame).name));
     }
     if (tip.finger >= 0 && !has_centre(robot, tip)) {
-      found.push_back(fmt::format("tip {} has no centre for its finger's humanlikeness", tip.name));
+      found.push_back(
+          fmt::format("tip {} has no joint centre for the humanlikeness of its finger", tip.name));
     }
   }
   if (!robot.unchecked_links.empty()) found.push_back(unchecked_sentence(robot.unchecked_links));

@@ -119,7 +119,7 @@ struct Panel {
     for (std::size_t i = 0; i < robot.frames.size(); ++i) {
       if (robot.frames[i].joint >= 0) svg += joint(i);
     }
-    for (const RobotModel::JointCentre& centre : robot.centres) {
+    for (const RobotModel::JointCentre& centre : robot.joint_centres) {
       svg +=
           dot(posture.at(centre.frame), 5, "fill=\"none\" stroke=\"#d68910\" stroke-width=\"1.5\"");
     }
@@ -181,9 +181,9 @@ std::string robot_svg(const RobotModel& robot, const Outlines& outlines) {
   const double foot = height - 10, bar = 0.1 * scale, end = width - kMargin_px;
   svg += fmt::format(
       "<text x=\"{0:.0f}\" y=\"{6:.0f}\" font-size=\"12\">blue: joint and its axis, orange: joint "
-      "centre of metric A, red: tip and out of its pad</text>\n"
+      "centre of metric A, red: tip and normal of its pad</text>\n"
       "<text x=\"{0:.0f}\" y=\"{1:.0f}\" font-size=\"12\">grey: capsule, green: mesh, black: base; "
-      "joints as near as their limits allow</text>\n"
+      "joints as close to these values as their limits allow</text>\n"
       "<path d=\"M{2:.2f} {1:.0f}h{3:.2f}\" stroke=\"#333\" stroke-width=\"2\"/>\n"
       "<text x=\"{4:.0f}\" y=\"{5:.0f}\" font-size=\"12\" text-anchor=\"end\">100 mm</text>\n",
       kMargin_px, foot, end - bar, bar, end, foot - 6, foot - 16);

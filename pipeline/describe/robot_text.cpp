@@ -22,7 +22,8 @@ std::string frame_name(const RobotModel& robot, int frame) {
 
 std::string finger_of(const RobotModel::Tip& tip) {
   if (tip.finger < 0) return "wrist";
-  if (!std::isnan(tip.along)) return fmt::format("{:.0f} % from index to little", 100 * tip.along);
+  if (!std::isnan(tip.finger_curve_share))
+    return fmt::format("{:.0f} % from index to little", 100 * tip.finger_curve_share);
   return kFingerNames[tip.finger];
 }
 
@@ -67,7 +68,11 @@ std::string joint_lines(const RobotModel& robot, int width) {
                         robot.acceleration[i], robot.jerk[i]);
   }
   const std::vector<const RobotModel::Frame*> coupled = coupled_frames(robot);
-  if (!coupled.empty()) text += fmt::format("\n{:{}}  turns by\n", "coupled", width);
+  if (!coupled.empty())
+    text += fmt::format(
+        "\n"
+        "{:{}}  follows\n",
+        "coupled", width);
   for (const RobotModel::Frame* frame : coupled) {
     text += fmt::format("{:{}}  {:.4g} x {} + {:.4g} deg\n", frame->name, width, frame->ratio,
                         robot.joint_names[static_cast<std::size_t>(frame->joint)],
@@ -77,8 +82,10 @@ std::string joint_lines(const RobotModel& robot, int width) {
 }
 
 std::string frame_lines(const RobotModel& robot, int width) {
-  std::string text = fmt::format("\n{:{}}  {:{}}  {:>8} {:>8} {:>8}  mm from its parent\n", "frame",
-                                 width, "parent", width, "x", "y", "z");
+  std::string text = fmt::format(
+      "\n"
+      "{:{}}  {:{}}  {:>8} {:>8} {:>8}  mm from its parent frame\n",
+      "frame", width, "parent", width, "x", "y", "z");
   for (const RobotModel::Frame& frame : robot.frames) {
     const Vec3 at = 1000 * frame.transform.translation();
     const auto number = [](double x) { return std::abs(x) < 5e-3 ? 0.0 : x; };  // avoids -0.00
@@ -98,7 +105,7 @@ std::string tip_lines(const RobotModel& robot, int width) {
                     width, stretched_reach(robot, tip), finger_of(tip));
   }
   text += fmt::format("\n{:{}}  chain\n", "centre", width);
-  for (const RobotModel::JointCentre& centre : robot.centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
     text += fmt::format("{:{}}  {}\n", frame_name(robot, centre.frame), width, centre.chain);
   }
   return text;
@@ -147,14 +154,15 @@ std::string robot_json(const robot::RobotDescription& description) {
                       {"fixed", frame.joint < 0}});
   }
   for (const RobotModel::Tip& tip : robot.tips) {
-    const Json along = std::isnan(tip.along) ? Json(nullptr) : Json(tip.along);
+    const Json along =
+        std::isnan(tip.finger_curve_share) ? Json(nullptr) : Json(tip.finger_curve_share);
     tips.push_back({{"name", tip.name},
                     {"frame", frame_name(robot, tip.frame)},
                     {"finger", tip.finger < 0 ? "wrist" : kFingerNames[tip.finger]},
-                    {"along", along},
+                    {"finger_curve_share", along},
                     {"reach_m", stretched_reach(robot, tip)}});
   }
-  for (const RobotModel::JointCentre& centre : robot.centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
     centres.push_back({{"frame", frame_name(robot, centre.frame)}, {"chain", centre.chain}});
   }
   const Json json = {{"robot", robot.name},
@@ -165,7 +173,7 @@ std::string robot_json(const robot::RobotDescription& description) {
                      {"coupled", coupled},
                      {"frames", frames},
                      {"tips", tips},
-                     {"centres", centres},
+                     {"joint_centres", centres},
                      {"capsules", robot.capsules.size()},
                      {"notes", plausibility_notes(description)}};
   return json.dump(2);

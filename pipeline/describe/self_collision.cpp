@@ -71,7 +71,10 @@ std::string self_collision_text(const RobotModel& robot, const SelfCollision& fo
       "{} pairs of capsules in {} positions: {} always overlap, {} never, {} sometimes\n",
       found.always.size() + found.never.size() + found.sometimes.size(), found.samples,
       found.always.size(), found.never.size(), found.sometimes.size());
-  if (!found.always.empty()) text += "\nalways: made that way, for collision.allowed_pairs\n";
+  if (!found.always.empty())
+    text +=
+        "\n"
+        "always: overlap by design, add to collision.allowed_collision_pairs\n";
   for (const SelfCollisionPair& pair : found.always) {
     const auto [one, other] = names(robot, pair);
     text += fmt::format("  - [{}, {}]\n", one, other);
@@ -82,10 +85,14 @@ std::string self_collision_text(const RobotModel& robot, const SelfCollision& fo
     text += fmt::format("  [{}, {}]  {:.2g} %, up to {:.1f} mm deep\n", one, other,
                         100 * share(found, pair), -1e3 * pair.least_m);
   }
-  if (!found.never.empty()) text += "\nnever (which samples cannot prove)\n";
+  if (!found.never.empty())
+    text +=
+        "\n"
+        "never (in these samples, not proven)\n";
   for (const SelfCollisionPair& pair : found.never) {
     const auto [one, other] = names(robot, pair);
-    text += fmt::format("  - [{}, {}]  # {:.1f} mm at least\n", one, other, 1e3 * pair.least_m);
+    text +=
+        fmt::format("  - [{}, {}]  # at least {:.1f} mm apart\n", one, other, 1e3 * pair.least_m);
   }
   return text;
 }

@@ -27,11 +27,11 @@ struct SelfCollision {
 };
 
 /// Samples the self-collision of a robot. Pairs that overlap in every sample belong in
-/// `allowed_pairs`, because they overlap by design. Pairs that never overlap may be added there to
-/// save time, but samples do not prove that they cannot. Equal robots give equal results.
+/// `allowed_collision_pairs`, because they overlap by design. Pairs that never overlap may be added
+/// there to save time, but samples do not prove that they cannot. Equal robots give equal results.
 SelfCollision sample_self_collision(const RobotModel& robot, int samples);
 
-/// Returns a text for display, with lines for `allowed_pairs`.
+/// Returns a text for display, with lines for `allowed_collision_pairs`.
 std::string self_collision_text(const RobotModel& robot, const SelfCollision& found);
 /// Returns {samples, always: [[a, b]], never: [{pair, least_m}], sometimes: [{pair, share,
 /// least_m}]}.

@@ -15,14 +15,14 @@ namespace morphe::explain {
 ///   accepts  relaxes requirements: the violation remains and is allowed
 ///   assumes  changes an assumption about something that was not recorded
 ///   changes  changes something without a key in the config: the recording, the scene, the robot
-enum class AdviceKind { solves, accepts, assumes, changes };
+enum class AdviceKind { may_solve, relaxes_tolerance, changes_assumption, changes_input };
 constexpr std::array<std::string_view, 4> names_of(AdviceKind) {
-  return {"solves", "accepts", "assumes", "changes"};
+  return {"may_solve", "relaxes_tolerance", "changes_assumption", "changes_input"};
 }
 
 /// An advice for an infeasible plan.
 struct Advice {
-  AdviceKind effect = AdviceKind::changes;
+  AdviceKind kind = AdviceKind::changes_input;
   /// KEY=VALUE as accepted by `morphe run --set`, to be applied together
   std::vector<std::string> settings;
   std::string sentence;  ///< the reason, with the numbers of the plan

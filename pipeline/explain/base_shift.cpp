@@ -30,8 +30,9 @@ std::vector<std::size_t> select_frames(const Plan& plan) {
       carried_s = object.attach_s;
   }
   const std::vector<double>& time = plan.goals.time;
-  std::vector<Finding> left = plan.remaining.empty() ? plan.findings : plan.remaining;
-  std::ranges::stable_sort(left, std::greater{}, &Finding::depth);
+  std::vector<Finding> left =
+      plan.remaining_findings.empty() ? plan.findings : plan.remaining_findings;
+  std::ranges::stable_sort(left, std::greater{}, &Finding::excess);
   std::set<std::size_t> frames;
   for (const Finding& finding : left) {
     if (frames.size() == kFramesAroundFindings) break;
@@ -79,13 +80,13 @@ class ShiftedBase {
       for (const JointRows* rows : {&plan_.path.position, &plan_.mapped.position}) {
         if (row >= rows->rows() || least == 0) continue;
         const JointVector q = map::solve_frame(problem, frame, rows->row(row).transpose(),
-                                               config_.map.solver, scratch)
+                                               config_.map.frame_solver, scratch)
                                   .x;
         double depths = 0;
         for (const Finding& finding : check::check_path(
                  world, goals, plan_.movement,
                  {q.transpose(), {SampleOrigin::re_solved}, {goals.time[frame]}}, config_.check)) {
-          depths += finding.depth;
+          depths += finding.excess;
         }
         least = std::min(least, depths);
       }

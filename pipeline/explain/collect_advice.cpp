@@ -19,12 +19,12 @@ constexpr double kMaxBaseShift_m = 0.16;
 Advice advice_of(const BaseShift& found, const Vec3& configured) {
   const Vec3 mm = (1e3 * found.shift).array().round();
   const Vec3 offset = configured + 1e-3 * mm;
-  return {AdviceKind::solves,
+  return {AdviceKind::may_solve,
           {fmt::format("placement.shoulder_offset=[{:.3f}, {:.3f}, {:.3f}]", offset.x(), offset.y(),
                        offset.z())},
-          fmt::format("the base {:+.0f}, {:+.0f}, {:+.0f} mm along the world's axes: what single "
-                      "postures at {} times have wrong, tips and contacts, goes from {:.1f} to "
-                      "{:.1f} mm in all",
+          fmt::format("move the base by ({:+.0f}, {:+.0f}, {:+.0f}) mm along the world's axes; the "
+                      "summed errors of tips and contacts of single postures at {} times then fall "
+                      "from {:.1f} to {:.1f} mm",
                       mm.x(), mm.y(), mm.z(), found.frames, 1e3 * found.depth_before,
                       1e3 * found.depth_after)};
 }
@@ -35,18 +35,21 @@ void add_advice(const OversizedTarget& found, const std::string& target,
                 std::vector<TriedAdvice>& all) {
   constexpr double kMinTargetRadius_m = 0.005;
   const std::string words = fmt::format(
-      "nobody recorded the {}: its radius of {:.0f} mm is inferred from thumb and "
-      "index, and there is room for {:.0f} mm beside the goal of {} at {:.2f} s",
+      "the {} was not recorded: its radius of {:.0f} mm is inferred from thumb and index, but at "
+      "most {:.0f} mm fit beside the goal of {} at {:.2f} s",
       target, 1e3 * found.radius_m, 1e3 * std::max(0.0, found.allowed_radius_m), found.tip,
       found.time_s);
   if (found.allowed_radius_m >= kMinTargetRadius_m) {
     const double radius_m = std::floor(1e3 * found.allowed_radius_m) / 1e3;
-    all.push_back(
-        {{AdviceKind::assumes, {fmt::format("scene.target.radius={:.3f}", radius_m)}, words}, {}});
+    all.push_back({{AdviceKind::changes_assumption,
+                    {fmt::format("scene.target.radius={:.3f}", radius_m)},
+                    words},
+                   {}});
   }
-  all.push_back({{AdviceKind::assumes,
+  all.push_back({{AdviceKind::changes_assumption,
                   {"scene.target.infer=false"},
-                  words + "; without it nothing is checked against it, and the plan has no grasp"},
+                  words + "; without a target there is no check for collisions with it, and the "
+                          "plan has no grasp"},
                  {}});
 }
 
@@ -59,7 +62,7 @@ bool is_about_contact(Reason reason) {
 bool depends_on_base(Reason reason) {
   return reason == Reason::unreachable || reason == Reason::tracking ||
          reason == Reason::goal_in_collision || reason == Reason::start_in_collision ||
-         reason == Reason::no_path || reason == Reason::jump || reason == Reason::limit;
+         reason == Reason::no_path || reason == Reason::jump || reason == Reason::joint_limit;
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ void find_tip_errors(const robot::Robot& robot, const Plan& plan, PathViolations
     TipError miss;
     miss.time_s = time[k];
     miss.grasping = check::counts_as_grasp(plan.movement, time, k);
-    miss.allowed_m = miss.grasping ? plan.tolerances.tracking_grasp : plan.tolerances.tracking;
+    miss.allowed_m = miss.grasping ? plan.tolerances.tracking_tolerance_grasp
+                                   : plan.tolerances.tracking_tolerance;
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Vec3 goal = tip_goal_at(plan.goals, tip, time[k]);
       if (!is_known(goal)) continue;
@@ -40,23 +41,28 @@ void find_tip_errors(const robot::Robot& robot, const Plan& plan, PathViolations
 
 ClearanceViolation make_clearance_violation(const collision::CollisionWorld& world,
                                             const Finding& finding) {
-  ClearanceViolation contact{
-      finding.first, finding.second,          finding.begin_s, finding.end_s,
-      finding.depth, world.tolerances.margin, "check.margin",  finding.cause != Cause::self};
+  ClearanceViolation contact{finding.subject,
+                             finding.other_body,
+                             finding.begin_s,
+                             finding.end_s,
+                             finding.excess,
+                             world.tolerances.required_clearance,
+                             "check.required_clearance",
+                             finding.cause != Cause::self_collision};
   const auto named = [](const auto& list, const std::string& name) {
     const auto it = std::ranges::find_if(list, [&](const auto& one) { return one.name == name; });
     return it == list.end() ? -1 : static_cast<int>(it - list.begin());
   };
-  const int capsule = named(world.robot->capsules, finding.first);
-  const int object = named(world.scene->objects, finding.second);
-  if (finding.cause == Cause::self || capsule < 0 || object < 0) return contact;
+  const int capsule = named(world.robot->capsules, finding.subject);
+  const int object = named(world.scene->objects, finding.other_body);
+  if (finding.cause == Cause::self_collision || capsule < 0 || object < 0) return contact;
   const double middle_s = 0.5 * (finding.begin_s + finding.end_s);
   contact.required_m = collision::required_distance_m(world, capsule, object, middle_s);
   if (!collision::may_touch(world, capsule, object, middle_s)) return contact;
   const bool pad = robot::is_pad(*world.robot, capsule);
-  contact.config_key = !world.tolerances.link_depth ? "check.contact_depth"
-                       : pad                        ? "grasp.penetration"
-                                                    : "grasp.link_penetration";
+  contact.config_key = !world.tolerances.max_link_penetration ? "check.max_penetration"
+                       : pad                                  ? "grasp.max_penetration"
+                                                              : "grasp.max_link_penetration";
   return contact;
 }
 
@@ -72,14 +78,15 @@ PathViolations find_path_violations(const robot::Robot& robot, const Plan& plan)
   find_tip_errors(robot, plan, shortfall);
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
-  std::vector<Finding> left =
-      plan.remaining.empty() && plan.repair.empty() ? plan.findings : plan.remaining;
-  std::ranges::stable_sort(left, std::greater{}, &Finding::depth);
+  std::vector<Finding> left = plan.remaining_findings.empty() && plan.repair.empty()
+                                  ? plan.findings
+                                  : plan.remaining_findings;
+  std::ranges::stable_sort(left, std::greater{}, &Finding::excess);
   for (const Finding& finding : left) {
     if (is_collision(finding.cause))
       shortfall.contacts.push_back(make_clearance_violation(world, finding));
     if (finding.cause == Cause::jump) shortfall.jumps.push_back(finding);
-    if (finding.cause == Cause::limit) shortfall.limits.push_back(finding);
+    if (finding.cause == Cause::joint_limit) shortfall.limits.push_back(finding);
   }
   return shortfall;
 }

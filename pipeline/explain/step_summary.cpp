@@ -16,7 +16,6 @@
 namespace morphe::explain {
 namespace {
 
-
 std::string line(std::string_view step, const std::string& text) {
   return fmt::format("  {:<13} {}\n", step, text);
 }
@@ -24,10 +23,10 @@ std::string line(std::string_view step, const std::string& text) {
 std::string segmentation(const Movement& movement) {
   const std::string target =
       movement.target.empty() ? "no object grasped" : "target " + movement.target;
-  std::string text = line("segmentation", fmt::format("{:.2f}-{:.2f} s of the recording, {}",
+  std::string text = line("segmentation", fmt::format("{:.2f}–{:.2f} s of the recording, {}",
                                                       movement.begin_s, movement.end_s, target));
   for (const Phase& phase : movement.phases) {
-    text += line("", fmt::format("{:<9} {:6.2f}-{:.2f} s, {:.0f} % sure", name_of(phase.kind),
+    text += line("", fmt::format("{:<9} {:6.2f}–{:.2f} s, confidence {:.0f} %", name_of(phase.kind),
                                  phase.begin_s, phase.end_s, 100 * phase.confidence));
   }
   return text;
@@ -41,7 +40,7 @@ std::string stretches_out_of_reach(const MappingResult& mapped, const std::vecto
     if (!out(f) || (f > 0 && out(f - 1))) continue;
     std::size_t last = f;
     while (last + 1 < mapped.status.size() && out(last + 1)) ++last;
-    text += fmt::format("{}{:.2f}-{:.2f} s", text.empty() ? "" : ", ", time[f], time[last]);
+    text += fmt::format("{}{:.2f}–{:.2f} s", text.empty() ? "" : ", ", time[f], time[last]);
   }
   return text;
 }
@@ -50,16 +49,15 @@ std::string tip_error_text(const RobotModel& robot, const MappingResult& mapped)
   std::string text;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     double sum = 0, largest = 0, count = 0;
-    for (const double error : mapped.position_error.col(static_cast<Eigen::Index>(tip))) {
+    for (const double error : mapped.tip_error.col(static_cast<Eigen::Index>(tip))) {
       if (std::isnan(error)) continue;
       sum += error;
       largest = std::max(largest, error);
       count += 1;
     }
     if (count == 0) continue;
-    text +=
-        fmt::format("{}{} {:.1f} (at most {:.1f})", text.empty() ? "" : ", ", robot.tips[tip].name,
-                    kMillimetresPerMetre * sum / count, kMillimetresPerMetre * largest);
+    text += fmt::format("{}{} {:.1f} (max {:.1f})", text.empty() ? "" : ", ", robot.tips[tip].name,
+                        kMillimetresPerMetre * sum / count, kMillimetresPerMetre * largest);
   }
   return text;
 }
@@ -76,10 +74,10 @@ double mean_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
 
 std::string mapping(const RobotModel& robot, const Plan& plan) {
   const MappingResult& mapped = plan.mapped;
-  if (mapped.position.rows() == 0) return line("mapping", "nothing was mapped");
-  std::string text = line(
-      "mapping", fmt::format("{}; mm from the goals: {}", count_with_noun(mapped.status.size(), "frame"),
-                             tip_error_text(robot, mapped)));
+  if (mapped.position.rows() == 0) return line("mapping", "no frames were mapped");
+  std::string text = line("mapping", fmt::format("{}; mean distance from the goals in mm: {}",
+                                                 count_with_noun(mapped.status.size(), "frame"),
+                                                 tip_error_text(robot, mapped)));
   const GoalCount count = count_goals(plan.goals);
   const std::string where = stretches_out_of_reach(mapped, plan.goals.time);
   text += line("", fmt::format("{} of {} fingertip goals out of reach{}{}", count.out_of_reach,
@@ -94,7 +92,7 @@ std::string mapping(const RobotModel& robot, const Plan& plan) {
                 : fmt::format("humanlikeness A {:.4f} m^2", a);
   }
   if (!std::isnan(palm)) {
-    human += fmt::format("{}palm turned {:.0f} degrees from the person's",
+    human += fmt::format("{}palm rotated by {:.0f} degrees from the person's",
                          human.empty() ? "" : ", ", palm / kRadPerDegree);
   }
   return human.empty() ? text : text + line("", human);
@@ -110,9 +108,9 @@ std::string finding_lines(const char* step, const std::vector<Finding>& findings
 }
 
 std::string change_text(const RepairStep& step) {
-  if (std::isnan(step.begin_s)) return "changed nothing";
-  return fmt::format("changed {:.2f}-{:.2f} s by up to {:.3f} rad", step.begin_s, step.end_s,
-                     step.change);
+  if (std::isnan(step.begin_s)) return step.stop_reason.empty() ? "no change" : step.stop_reason;
+  return fmt::format("joints changed by up to {:.3f} rad, {:.2f}–{:.2f} s", step.max_joint_change,
+                     step.begin_s, step.end_s);
 }
 
 /// Returns true for files of earlier versions, which do not record the repair steps.
@@ -121,21 +119,22 @@ bool lacks_repair_record(const Plan& plan) { return plan.repair.empty() && !plan
 std::string repairs(const Plan& plan) {
   const std::vector<RepairStep>& steps = plan.repair;
   if (lacks_repair_record(plan))
-    return line("repair", "not in this file: it is of an earlier version");
+    return line("repair", "not recorded: the file is from an earlier version");
   if (steps.empty()) return line("repair", "nothing to repair");
   std::string text;
   for (const RepairStep& step : steps) {
     std::string what =
         fmt::format("{}{}: {}", step.level > 0 ? "  " : "", step.name, change_text(step));
     if (!std::isnan(step.begin_s)) {
-      what += step.findings == 0
-                  ? ", nothing left"
-                  : fmt::format(", {} left, worst {}",
-                                count_with_noun(static_cast<std::size_t>(step.findings), "finding"),
-                                step.worst);
-      what += step.kept ? "; kept" : "; not kept";
+      what += step.finding_count == 0
+                  ? ", no problems left"
+                  : fmt::format(
+                        ", {} left, worst: {}",
+                        count_with_noun(static_cast<std::size_t>(step.finding_count), "problem"),
+                        step.worst_finding);
+      what += step.accepted ? "; accepted" : "; rejected";
     }
-    if (!step.ended.empty()) what += "; " + step.ended;
+    if (!std::isnan(step.begin_s) && !step.stop_reason.empty()) what += "; " + step.stop_reason;
     text += line(text.empty() ? "repair" : "", what);
   }
   return text;
@@ -149,22 +148,23 @@ std::string certificate(const Certificate& c) {
   };
   add("velocity", c.velocity_ratio, 2, "");
   add("acceleration", c.acceleration_ratio, 2, "");
-  add("jerk", c.jerk_ratio, 2, " of the limits");
+  add("jerk", c.jerk_ratio, 2, " of their limits");
   add("clearance", kMillimetresPerMetre * c.clearance, 2, " mm");
-  add("tips at most", kMillimetresPerMetre * c.position_error_max, 2, " mm off");
-  add("in the grasp", kMillimetresPerMetre * c.position_error_grasp, 2, " mm");
+  add("tip error at most", kMillimetresPerMetre * c.tip_error_max, 2, " mm");
+  add("in the grasp at most", kMillimetresPerMetre * c.tip_error_grasp, 2, " mm");
   return line("certificate", text.empty() ? "none" : text);
 }
 
 std::string timing(const Plan& plan) {
   if (!plan.has_trajectory()) {
-    const bool free =
-        plan.path.position.rows() > 0 && plan.remaining.empty() && !lacks_repair_record(plan);
-    return line("time law", free ? "the path is free; what came of it is the reason above"
-                                 : "not reached: the path is not free");
+    const bool free = plan.path.position.rows() > 0 && plan.remaining_findings.empty() &&
+                      !lacks_repair_record(plan);
+    return line("time law", free ? "the path is valid, but the plan failed: see the reason above"
+                                 : "skipped: the path still has problems");
   }
-  return line("time law", fmt::format("{:.2f} s, {:.2f} of the person's",
-                                      plan.trajectory.time.back(), plan.certificate.tempo));
+  return line("time law",
+              fmt::format("{:.2f} s, {:.2f} times the person's duration",
+                          plan.trajectory.time.back(), plan.certificate.duration_ratio));
 }
 
 }  // namespace
@@ -180,9 +180,10 @@ std::string step_summary(const RobotModel& robot, const Plan& plan) {
   if (plan.reason == Reason::no_movement) return text;
   text += segmentation(plan.movement) + mapping(robot, plan);
   if (plan.mapped.position.rows() == 0) return text;
-  text += finding_lines("found", plan.findings, "nothing wrong with the mapped path");
+  text += finding_lines("problems", plan.findings, "none in the mapped path");
   text += repairs(plan);
-  if (!plan.remaining.empty()) text += finding_lines("left", plan.remaining, "");
+  if (!plan.remaining_findings.empty())
+    text += finding_lines("remaining", plan.remaining_findings, "");
   return text + timing(plan) + certificate(plan.certificate);
 }
 

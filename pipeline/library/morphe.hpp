@@ -31,7 +31,7 @@ namespace morphe {
 class MORPHE_EXPORT Pipeline {
  public:
   /// Loads the config. `settings` are "a.b=value": each replaces a value of the config. `terms` are
-  /// added to the objective with the weights given by the config's `map.terms`.
+  /// added to the objective with the weights given by the config's `map.custom_terms`.
   explicit Pipeline(const std::filesystem::path& config,
                     const std::vector<std::string>& settings = {},
                     const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});

@@ -36,7 +36,8 @@ std::vector<BasePlacement> sample_placements(const ReachabilityGrid& reach, Side
       sample.outside += reach.share_out_of_reach(trial, sample.base_placement);
     samples.push_back(std::move(sample));
   }
-  if (samples.empty()) throw InputError("place: the constraints leave no place for the base");
+  if (samples.empty())
+    throw InputError("place: no placement of the base satisfies the constraints");
   std::ranges::stable_sort(samples, {}, &Sample::outside);
   std::vector<BasePlacement> stands;
   for (const Sample& sample : samples) {
@@ -107,7 +108,7 @@ std::vector<Candidate> screen_candidates(const planning::PlanningInputs& planner
       });
   sort_by_cost(all);
   all.resize(
-      std::max(std::min(all.size(), static_cast<std::size_t>(options.refined)), all.size() / 3));
+      std::max(std::min(all.size(), static_cast<std::size_t>(options.refine)), all.size() / 3));
   std::vector<Candidate> better =
       evaluate_all(all.size(), options, report, "better", [&](std::size_t k) {
         return evaluate_placement(planner, all[k].stand, few, kSecondScreeningEffort,
@@ -138,13 +139,13 @@ std::vector<PlacementResult> find_placements(const planning::PlanningInputs& pla
     return better;
   };
   const std::vector<Candidate> roughly = refined(
-      remove_similar(screen_candidates(planner, stands, trials, options, report), options.refined),
+      remove_similar(screen_candidates(planner, stands, trials, options, report), options.refine),
       kRoughSteps, "refined roughly");
   const std::vector<Candidate> finely =
-      refined(remove_similar(roughly, std::max(options.planned, options.refined / 2)), kFineSteps,
+      refined(remove_similar(roughly, std::max(options.plan, options.refine / 2)), kFineSteps,
               "refined finely");
   std::vector<PlacementResult> found;
-  const std::vector<Candidate> best = remove_similar(finely, options.planned);
+  const std::vector<Candidate> best = remove_similar(finely, options.plan);
   for (const Candidate& candidate : best) {
     found.push_back(
         plan_with_placement(planner, trials, placement_of(candidate.stand), options.jobs));

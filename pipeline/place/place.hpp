@@ -17,7 +17,7 @@ struct PlannedSummary {
   /// The number of movements and of executable plans.
   int movements = 0, executable = 0;
   /// Median and maximum of the movements' means [rad].
-  double upper_arm_median = 0, upper_arm_max = 0;
+  double upper_arm_error_median = 0, upper_arm_error_max = 0;
   /// Maximum over plans with a trajectory [m].
   double tip_error_max_m = kUnknown;
 };
@@ -35,7 +35,7 @@ struct PlacementResult {
   /// Origin of the base relative to the human shoulder [m].
   Vec3 base = Vec3::Zero();
   /// Height of the base above the table's top, mean over the movements [m].
-  double above_table = kUnknown;
+  double height_above_table = kUnknown;
 };
 
 /// A callback with the current stage and its progress, called from one thread at a time.

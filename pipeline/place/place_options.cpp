@@ -9,12 +9,12 @@ std::string validation_error(const PlaceOptions& options) {
     return "tilt: must be from 0 to 90 degrees";
   }
   if (!(options.person_clearance_m >= 0 && options.person_clearance_m < 1))
-    return "person: must be from 0 to 1 m";
-  if (options.samples < options.candidates || options.candidates < options.refined ||
-      options.refined < options.planned || options.planned < 1) {
-    return "samples >= candidates >= refined >= planned >= 1 does not hold";
+    return "person-clearance: must be from 0 to 1 m";
+  if (options.samples < options.candidates || options.candidates < options.refine ||
+      options.refine < options.plan || options.plan < 1) {
+    return "must satisfy samples >= candidates >= refine >= plan >= 1";
   }
-  if (options.trials < 1 || options.jobs < 1) return "trials and jobs: must be positive";
+  if (options.movements < 1 || options.jobs < 1) return "movements and jobs: must be positive";
   return "";
 }
 

@@ -42,11 +42,11 @@ struct PlaceOptions {
   /// Number of best ones that are mapped in up to three trials with a few frames.
   int candidates = 600;
   /// Number of best ones that are improved over all trials.
-  int refined = 16;
+  int refine = 16;
   /// Number of best ones that are planned in full.
-  int planned = 3;
+  int plan = 3;
   /// Maximum number of movements, evenly distributed over the dataset.
-  int trials = 8;
+  int movements = 8;
   /// Number of threads.
   int jobs = 1;
   /// The seed of the search.

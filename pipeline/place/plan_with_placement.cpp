@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "core/parallel/for_each.hpp"
 #include "pipeline/place/place.hpp"
@@ -26,26 +27,20 @@ MovementResult plan_one(const planning::PlanningInputs& planner, const TrialMove
   one.measures.collision_share = 1;
   if (plan.mapped.position.rows() > 0) {
     const planning::PlacedMovement placed(planner, trial.motion, trial.movement, trial.surroundings,
-                                          plan.goals.free_offset.value_or(Vec3::Zero()));
+                                          plan.goals.base_offset.value_or(Vec3::Zero()));
     one.measures = measure(placed.problem, plan.mapped.position);
     one.measures.out_of_reach = count_goals(plan.goals).share_out_of_reach();
     one.measures.collision_share = plan.has_trajectory() ? 0 : 1;
   }
   if (plan.has_trajectory()) {
     one.measures.penetration_m = 0;
-    one.measures.speed_ratio = plan.certificate.tempo;
-    one.tip_error_max_m = plan.certificate.position_error_max;
+    one.measures.speed_ratio = plan.certificate.duration_ratio;
+    one.tip_error_max_m = plan.certificate.tip_error_max;
     if (!std::isnan(plan.certificate.upper_arm_error_mean)) {
       one.measures.upper_arm_error = plan.certificate.upper_arm_error_mean;
     }
   }
   return one;
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 }  // namespace
@@ -73,8 +68,8 @@ PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
       });
   found.plan_summary.movements = static_cast<int>(trials.size());
   found.plan_summary.measures = mean_of(all);
-  found.plan_summary.upper_arm_median = median(upper_arm);
-  found.plan_summary.upper_arm_max = std::ranges::max(upper_arm);
+  found.plan_summary.upper_arm_error_median = math::midpoint_median(upper_arm);
+  found.plan_summary.upper_arm_error_max = std::ranges::max(upper_arm);
   found.base = base_from_human_shoulder(found.base_placement, map::robot_shoulder(planner.robot));
   double sum = 0;
   int tables = 0;
@@ -84,7 +79,7 @@ PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
       ++tables;
     }
   }
-  if (tables > 0) found.above_table = sum / tables;
+  if (tables > 0) found.height_above_table = sum / tables;
   return found;
 }
 

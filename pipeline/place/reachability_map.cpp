@@ -74,13 +74,12 @@ std::string svg_of(const ReachabilityMap& map) {
   std::string svg = files::svg_header(kMapSide_px + 2 * kMargin_px,
                                       kMapSide_px + kTitleHeight_px + kMargin_px, 12);
   svg += fmt::format(
-      "<text x=\"{0:.0f}\" y=\"18\">Goals in reach, by where the robot's shoulder is from the "
-      "human's (mm): red none, green all, white not allowed</text>\n"
-      "<text x=\"{0:.0f}\" y=\"34\">Right: the person's right; up: forward; all turned as placed, "
+      "<text x=\"{0:.0f}\" y=\"18\">Share of goals in reach by the position of the robot's "
+      "shoulder relative to the human's (mm): red 0 %, green 100 %, white not allowed</text>\n"
+      "<text x=\"{0:.0f}\" y=\"34\">Right: the person's right; up: forward; orientation as placed, "
       "{1:.0f} mm above the human's shoulder</text>\n"
       "<text x=\"{0:.0f}\" y=\"50\">Blue: the robot's shoulder; black ring: its base; blue ring: "
-      "the "
-      "human's shoulder; grey: fingertip goals</text>\n",
+      "the human's shoulder; grey: fingertip goals</text>\n",
       kMargin_px, 1e3 * map.stand.shoulder_offset.z());
   for (std::size_t row = 0; row < map.forward.size(); ++row) {
     for (std::size_t col = 0; col < map.right.size(); ++col) {

@@ -86,9 +86,10 @@ PlacementMeasures measure(const map::MappingProblem& problem, const JointRows& q
     robot::forward_kinematics(robot, at, frames);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       if (!is_known(goal.tip_position[tip])) continue;
-      const double error = (robot::tracked_point(robot, frames, tip, goal.pad_share_of(tip)) -
-                            goal.tip_position[tip])
-                               .norm();
+      const double error =
+          (robot::tracked_point(robot, frames, tip, goal.tip_to_pad_share_of(tip)) -
+           goal.tip_position[tip])
+              .norm();
       out.add(error > kReachTolerance_m ? 1 : 0);
       tip_error.add(std::min(error, kMaxTipError_m));
     }
@@ -126,13 +127,13 @@ planning::PipelineConfig trial_config(const planning::PipelineConfig& config,
                                       const BasePlacement& stand, const SearchEffort& effort) {
   planning::PipelineConfig tried = config;
   tried.placement = placement_of(stand);
-  tried.map.free_offset.limit_m = 0;
+  tried.map.base_offset.limit_m = 0;
   tried.map.key_frames = effort.key_frames;
   tried.map.starts = effort.starts;
   tried.map.candidates = 2;
-  solve::MovementOptions& movement = tried.map.movement;
-  movement.iterations = std::min(movement.iterations, kMaxIterations);
-  movement.relative_value = std::max(movement.relative_value, kRelativeTolerance);
+  solve::MovementOptions& movement = tried.map.movement_solver;
+  movement.max_iterations = std::min(movement.max_iterations, kMaxIterations);
+  movement.relative_tolerance = std::max(movement.relative_tolerance, kRelativeTolerance);
   return tried;
 }
 

@@ -46,7 +46,7 @@ std::vector<TrialMovement> make_trials(const planning::PlanningInputs& planner,
                                        const std::vector<Demonstration>& demonstrations,
                                        const PlaceOptions& options) {
   if (map::is_hand_only(planner.robot)) {
-    throw InputError(planner.robot.name + ": is a hand alone: there is no base to place");
+    throw InputError(planner.robot.name + ": is a hand without an arm: it has no base to place");
   }
   std::vector<TrialMovement> all;
   const auto rebuild = [&](std::uint64_t k) {
@@ -64,11 +64,12 @@ std::vector<TrialMovement> make_trials(const planning::PlanningInputs& planner,
     all.insert(all.end(), trials.begin(), trials.end());
   };
   parallel::ordered_for_each<std::vector<TrialMovement>>(static_cast<int>(demonstrations.size()),
-                                                 options.jobs, rebuild, keep);
-  if (all.empty()) throw InputError("place: no movement with a shoulder and fingertips");
+                                                         options.jobs, rebuild, keep);
+  if (all.empty())
+    throw InputError("place: the dataset has no movement with a shoulder and fingertips");
   std::vector<TrialMovement> few;
   for (const std::size_t k :
-       planning::evenly_spaced_frames(all.size(), static_cast<std::size_t>(options.trials))) {
+       planning::evenly_spaced_frames(all.size(), static_cast<std::size_t>(options.movements))) {
     few.push_back(all[k]);
   }
   return few;

@@ -34,7 +34,7 @@ PlanningFailure time_and_certify(const PlanningInputs& planner,
   time_law.mode = retime::RetimeMode::fastest;
   time_law.duration_s.reset();
   time_law.phase_speed.clear();
-  time_law.limit_share *= options.limit_share;
+  time_law.limit_scaling *= options.limit_scaling;
   while (true) {
     Outcome<retime::RetimeResult> retimed =
         retime::retime(planner.robot, path, Movement{}, time_law);
@@ -45,9 +45,10 @@ PlanningFailure time_and_certify(const PlanningInputs& planner,
     std::ranges::fill(trajectory.phase, PhaseKind::rest);
     PlanningFailure failure = certify::certify_motion(world, trajectory).failure;
     if (const double off = end_error(path, trajectory); !failure && !(off <= kEndTolerance))
-      failure = {Reason::smoothing, fmt::format("an end of it is missed by {:.2g} rad or m", off)};
+      failure = {Reason::smoothing_collision,
+                 fmt::format("the smoothed curve misses an endpoint by {:.2g} rad or m", off)};
     const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
-    if (failure.reason != Reason::smoothing || !smoothed) return failure;
+    if (failure.reason != Reason::smoothing_collision || !smoothed) return failure;
     time_law.tip_tolerance = time_law.joint_tolerance = 0;
   }
 }
@@ -64,9 +65,9 @@ std::string no_path_reason(const collision::CollisionWorld& world, const JointVe
   for (const JointVector& end : {from, to}) {
     const collision::PairSeparation pair = collision::least_slack(world, end, time_s, scratch);
     if (pair.slack() >= 0) continue;
-    return fmt::format("{} – {} {:.4f} m too close at an end of it",
-                       collision::first_body_name(world, pair),
-                       collision::second_body_name(world, pair), -pair.slack());
+    return fmt::format(
+        "{} is {:.1f} mm too close to {} at an endpoint", collision::first_body_name(world, pair),
+        kMillimetresPerMetre * -pair.slack(), collision::second_body_name(world, pair));
   }
   return repair::no_path_message(repair);
 }
@@ -94,8 +95,8 @@ JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) 
 }  // namespace
 
 std::string validation_error(const ApproachOptions& options) {
-  if (!(options.limit_share > 0) || !(options.limit_share <= 1)) {
-    return "limit_share must be above 0 and at most 1";
+  if (!(options.limit_scaling > 0) || !(options.limit_scaling <= 1)) {
+    return "limit_scaling must be above 0 and at most 1";
   }
   return "";
 }
@@ -130,10 +131,10 @@ PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOption
           time_and_certify(planner, world, there, options, begin_s, plan.approach)) {
     return {Reason::no_approach, sentence(refused)};
   }
-  if (!options.back) return {};
+  if (!options.retreat) return {};
 
   if (collision::target_state_at(world, end_s) == collision::TargetState::attached) {
-    return {Reason::no_retreat, "the target is in the hand at the end"};
+    return {Reason::no_retreat, "the target is still in the hand at the end"};
   }
   const JointPath back =
       repair::plan_transit(world, last, home, end_s, repair, math::seed_from(seed, "retreat"));

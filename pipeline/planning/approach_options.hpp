@@ -13,9 +13,9 @@ struct ApproachOptions {
     std::string joint;
     double value = 0;  ///< [rad]
   };
-  std::vector<Joint> home;   ///< joints that are not listed are at 0, or at their nearest limit
-  double limit_share = 0.5;  ///< share of the velocity, acceleration and jerk limits
-  bool back = true;          ///< true to plan a retreat, too
+  std::vector<Joint> home;     ///< joints that are not listed are at 0, or at their nearest limit
+  double limit_scaling = 0.5;  ///< share of the velocity, acceleration and jerk limits
+  bool retreat = true;         ///< true to plan a retreat, too
 };
 template <class Fields>
 void fields(Fields& f, ApproachOptions::Joint& o) {
@@ -25,8 +25,8 @@ void fields(Fields& f, ApproachOptions::Joint& o) {
 template <class Fields>
 void fields(Fields& f, ApproachOptions& o) {
   f("home", o.home);
-  f("limit_share", o.limit_share);
-  f("back", o.back);
+  f("limit_scaling", o.limit_scaling);
+  f("retreat", o.retreat);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const ApproachOptions& options);

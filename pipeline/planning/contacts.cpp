@@ -104,7 +104,7 @@ void aim_hand(const ContactContext& of, const std::vector<std::string>& given_up
   map::MappingScratch scratch;
   const JointVector touching =
       map::solve_frame(with_clearance_weights(problem_of(of, attempt), kContactWeights), frame,
-                       before, of.planner.config.map.solver, scratch)
+                       before, of.planner.config.map.frame_solver, scratch)
           .x;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double share = grasp::closing_progress(when, goals.time[f]);
@@ -133,7 +133,7 @@ JointRows settle_path(const ContactContext& of, const ContactAttempt& attempt) {
   collision::CollisionWorld keeping_off = of.world;
   keeping_off.touch_begin_s = std::max(of.world.touch_begin_s, when.begin_s - kTouchLeadTime_s);
   map::MapOptions options = of.planner.config.map;
-  options.movement.relative_value *= kSettlingToleranceFactor;
+  options.movement_solver.relative_tolerance *= kSettlingToleranceFactor;
   const map::MappingProblem problem = with_clearance_weights(
       problem_of({of.planner, keeping_off, of.target, of.seed}, attempt), kContactWeights);
   return map::re_solve_between(problem, plan.path, plan.movement.begin_s, plan.movement.end_s,
@@ -158,15 +158,16 @@ ContactAttempt try_out(const ContactContext& of, const ContactRequest& wanted,
   };
   const ReSolveContext solving{problem, config.map,
                                [&](const JointPath& path) { return findings_in(roomy, path); }};
-  plan.remaining = findings_in(roomy, plan.path);
-  if (!plan.remaining.empty()) {
-    Outcome<repair::RepairResult> freed = repair::repair_path(
-        {repair::only_if_nearly_free(re_solve_strongly(solving))}, {plan.path, plan.remaining});
+  plan.remaining_findings = findings_in(roomy, plan.path);
+  if (!plan.remaining_findings.empty()) {
+    Outcome<repair::RepairResult> freed =
+        repair::repair_path({repair::only_if_nearly_free(re_solve_strongly(solving))},
+                            {plan.path, plan.remaining_findings});
     plan.path = std::move(freed.value.path);
     plan.certificate.repaired = true;
     std::ranges::move(freed.value.attempts, std::back_inserter(plan.repair));
-    plan.remaining = findings_in(of.world, plan.path);
-    if (!plan.remaining.empty()) {
+    plan.remaining_findings = findings_in(of.world, plan.path);
+    if (!plan.remaining_findings.empty()) {
       attempt.failure = std::move(freed.failure);
       return attempt;
     }
@@ -187,7 +188,7 @@ bool move_touches(const ContactContext& of, const ContactAttempt& attempt,
   const robot::Robot& robot = of.planner.robot;
   const std::size_t frame = frame_of_grasp(plan.goals, grasp::hold_interval(plan.movement));
   if (frame == plan.goals.frames() || wanted.moves == kMaxMoves) return false;
-  if (std::ranges::any_of(plan.remaining, is_collision, &Finding::cause)) return false;
+  if (std::ranges::any_of(plan.remaining_findings, is_collision, &Finding::cause)) return false;
   std::vector<Pose> base_from_frame;
   robot::forward_kinematics(
       robot, plan.path.position.row(static_cast<Eigen::Index>(frame)).transpose(), base_from_frame);
@@ -195,7 +196,9 @@ bool move_touches(const ContactContext& of, const ContactAttempt& attempt,
   bool any = false;
   for (grasp::DesiredContact& touch : wanted.contacts) {
     const std::string& tip = robot.tips[touch.tip].name;
-    if (std::ranges::find(plan.remaining, tip, &Finding::first) == plan.remaining.end()) continue;
+    if (std::ranges::find(plan.remaining_findings, tip, &Finding::subject) ==
+        plan.remaining_findings.end())
+      continue;
     const Vec3 pad = robot::tracked_point(robot, base_from_frame, touch.tip, 1);
     const grasp::DesiredContact there =
         grasp::project_contact(robot, of.solid(), target_from_base * pad, touch);
@@ -218,7 +221,7 @@ bool keep_more_outside(const robot::Robot& robot, const ContactAttempt& attempt,
     const auto touches = [&](const grasp::DesiredContact& touch) { return touch.tip == tip; };
     if (std::ranges::any_of(attempt.contacts.contacts, touches) ||
         std::ranges::find(wanted.kept_outside, tip) != wanted.kept_outside.end() ||
-        !findings_concern_tip(robot, tip, attempt.plan.remaining))
+        !findings_concern_tip(robot, tip, attempt.plan.remaining_findings))
       continue;
     wanted.kept_outside.push_back(tip);
     more = true;
@@ -230,7 +233,7 @@ bool keep_more_outside(const robot::Robot& robot, const ContactAttempt& attempt,
 bool give_up(const robot::Robot& robot, const ContactAttempt& attempt, ContactRequest& wanted) {
   std::vector<std::string> tips;
   for (const grasp::DesiredContact& touch : attempt.contacts.contacts) {
-    if (findings_concern_tip(robot, touch.tip, attempt.plan.remaining)) {
+    if (findings_concern_tip(robot, touch.tip, attempt.plan.remaining_findings)) {
       tips.push_back(robot.tips[touch.tip].name);
     }
   }
@@ -250,18 +253,19 @@ Contacts desired_contacts(const PlanningInputs& planner, const collision::Collis
   const grasp::GraspOptions& options = *planner.config.grasp;
   if (world.target < 0) return {};
   if (planner.config.map.mode == map::MapMode::joint_to_joint) {
-    return {{}, {"no contact: joint-to-joint mapping does not follow the tips"}};
+    return {{}, {"no contacts: joint-to-joint mapping does not track the tips"}};
   }
   const collision::Solid target =
       collision::solid_at(world, static_cast<std::size_t>(world.target));
   Contacts wanted{
       grasp::demonstrated_contacts(planner.robot, plan.goals, plan.movement, target, options), {}};
-  grasp::separate_contacts(planner.robot, target, world.tolerances.margin, wanted.contacts);
+  grasp::separate_contacts(planner.robot, target, world.tolerances.required_clearance,
+                           wanted.contacts);
   if (wanted.contacts.empty()) {
-    wanted.notes = {
-        fmt::format("no contact: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % "
-                    "of the grasp",
-                    1e3 * options.touch_distance_m, target.object.name, 100 * options.least_share)};
+    wanted.notes = {fmt::format(
+        "no contacts: no fingertip's skin was within {:.0f} mm of {} for {:.0f} % "
+        "of the grasp",
+        1e3 * options.touch_distance_m, target.object.name, 100 * options.min_contact_share)};
   }
   return wanted;
 }
@@ -272,9 +276,9 @@ PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::Co
   const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(world.target)];
   const ContactContext of{planner, world, target, seed};
   if (contacts.contacts.empty()) {
-    plan.remaining =
+    plan.remaining_findings =
         check::check_path(world, plan.goals, plan.movement, plan.path, planner.config.check);
-    if (plan.remaining.empty()) return {};
+    if (plan.remaining_findings.empty()) return {};
   }
   ContactRequest wanted;
   wanted.contacts = contacts.contacts;
@@ -285,7 +289,7 @@ PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::Co
     if (!attempt.failure) {
       std::ranges::move(attempt.contacts.notes, std::back_inserter(contacts.notes));
       if (!wanted.moved.empty()) {
-        contacts.notes.push_back(fmt::format("contact of {} moved along {}",
+        contacts.notes.push_back(fmt::format("contact of {} moved along the surface of {}",
                                              fmt::join(wanted.moved, ", "), target.name));
       }
       if (!wanted.given_up.empty()) {
@@ -304,7 +308,7 @@ PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::Co
     if (!first.empty()) return why;
     plan = std::move(attempt.plan);
     return {attempt.failure.reason,
-            fmt::format("{}; the tips' goals lie deeper in {} than pads and links may sink",
+            fmt::format("{}; the tips' goals are deeper in {} than pads and links may penetrate",
                         attempt.failure.detail, target.name)};
   }
 }
@@ -315,14 +319,15 @@ bool findings_concern_tip(const robot::Robot& robot, std::size_t tip,
   const int pad = robot.pads[tip].capsule;
   const std::string link = pad < 0 ? "" : robot.capsules[static_cast<std::size_t>(pad)].name;
   return std::ranges::any_of(findings, [&](const Finding& finding) {
-    return finding.first == name || (pad >= 0 && (finding.first == link || finding.second == link));
+    return finding.subject == name ||
+           (pad >= 0 && (finding.subject == link || finding.other_body == link));
   });
 }
 
 std::string given_up_sentence(const std::vector<std::string>& tips,
                               const PlanningFailure& failure) {
   return fmt::format(
-      "{} given up: {}, {}",
+      "{} given up ({}): {}",
       tips.empty() ? "contacts" : fmt::format("contact of {}", fmt::join(tips, ", ")),
       name_of(failure.reason), failure.detail);
 }

@@ -37,7 +37,8 @@ PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::Co
 bool findings_concern_tip(const robot::Robot& robot, std::size_t tip,
                           const std::vector<Finding>& findings);
 
-/// Returns "contacts given up: tracking, thumb_tip ...", or the same for the contacts of some tips.
+/// Returns "contacts given up (tracking): thumb_tip ...", or the same for the contacts of some
+/// tips.
 std::string given_up_sentence(const std::vector<std::string>& tips, const PlanningFailure& failure);
 
 }  // namespace morphe::planning

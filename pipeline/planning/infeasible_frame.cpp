@@ -22,7 +22,7 @@ constexpr std::size_t kRefinedCandidateCount = 6;
 /// first.
 std::vector<std::size_t> frames_of(std::vector<Finding> findings, const std::vector<double>& time) {
   std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.depth > b.depth; });
+                   [](const Finding& a, const Finding& b) { return a.excess > b.excess; });
   std::vector<std::size_t> frames;
   for (const Finding& finding : findings) {
     for (const double share : {0.5, 0.0, 1.0}) {
@@ -49,7 +49,7 @@ struct TriedPosture {
 
   double badness() const {
     double sum = 0;
-    for (const Finding& finding : findings) sum += finding.depth;
+    for (const Finding& finding : findings) sum += finding.excess;
     return sum;
   }
 };
@@ -91,7 +91,7 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
       return TriedPosture{q, moment.findings(q)};
     };
     const JointVector on_path = checked.path.position.row(static_cast<Eigen::Index>(frame));
-    std::vector<TriedPosture> looked{look(on_path, options.solver)};
+    std::vector<TriedPosture> looked{look(on_path, options.frame_solver)};
     const auto held = [&] { return looked.back().findings.empty(); };
     if (held()) {
       holds.push_back({frame, looked.back().q});
@@ -99,16 +99,17 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
     }
     for (const solve::Minimum& start :
          map::search_frame(firm_problem, frame, 2 * options.starts, 2 * options.starts,
-                           map::quick_stages(options.solver),
+                           map::quick_stages(options.frame_solver),
                            math::seed_from(seed, "dead end", frame), scratch)) {
-      looked.push_back(look(start.x, map::limit_evaluations(options.solver, kCoarseEvaluations)));
+      looked.push_back(
+          look(start.x, map::limit_evaluations(options.frame_solver, kCoarseEvaluations)));
       if (held()) break;
     }
     if (!held()) {
       std::ranges::stable_sort(looked, {}, &TriedPosture::badness);
       const std::size_t best = std::min(kRefinedCandidateCount, looked.size());
       for (std::size_t i = 0; i < best && !held(); ++i) {
-        looked.push_back(look(looked[i].q, options.solver));
+        looked.push_back(look(looked[i].q, options.frame_solver));
       }
     }
     if (held()) {
@@ -118,13 +119,13 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
     const TriedPosture& best = *std::ranges::min_element(looked, {}, &TriedPosture::badness);
     if (best.badness() < kNearlyFeasibleDepth_m) continue;
     InfeasibleFrame end{Reason::unreachable, problem.time[frame], static_cast<int>(looked.size()),
-                        *std::ranges::max_element(best.findings, {}, &Finding::depth)};
+                        *std::ranges::max_element(best.findings, {}, &Finding::excess)};
     for (const solve::Minimum& start :
          map::search_frame(no_clearance_problem, frame, options.starts, options.candidates,
-                           map::quick_stages(options.solver),
+                           map::quick_stages(options.frame_solver),
                            math::seed_from(seed, "dead end alone", frame), scratch)) {
       const JointVector q =
-          map::solve_frame(decided_alone, frame, start.x, options.solver, scratch).x;
+          map::solve_frame(decided_alone, frame, start.x, options.frame_solver, scratch).x;
       if (tracks_goals(moment.findings(q))) end.reason = Reason::goal_in_collision;
     }
     return end;
@@ -139,9 +140,10 @@ repair::StrategyResult stop_if_infeasible(const map::MappingProblem& problem,
                                           std::vector<FeasiblePosture>& holds) {
   const std::optional<InfeasibleFrame> end =
       find_infeasible_frame(problem, best, check, options, seed, holds);
-  if (!end) return {best, {}, false, "none: single postures are free wherever it looked"};
-  const std::string detail = fmt::format("the best of {} postures for {:.3f} s has {}", end->tried,
-                                         end->time_s, repair::sentence(end->nearest));
+  if (!end) return {best, {}, false, "no infeasible frame found"};
+  const std::string detail =
+      fmt::format("at {:.3f} s the best of {} postures leaves {}", end->time_s, end->tried,
+                  repair::excess_text(end->nearest));
   return {best, {end->reason, detail}, true};
 }
 

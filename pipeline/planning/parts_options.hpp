@@ -6,11 +6,11 @@ namespace morphe::planning {
 
 /// The options for executing parts of a long recording of a hand alone (config section `parts`).
 struct PartsOptions {
-  double least_s = 1;  ///< minimum duration of a part [s]
+  double min_duration_s = 1;  ///< minimum duration of a part [s]
 };
 template <class Fields>
 void fields(Fields& f, PartsOptions& o) {
-  f("least_s", o.least_s);
+  f("min_duration_s", o.min_duration_s);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const PartsOptions& options);

@@ -64,11 +64,11 @@ std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Path
   const config::ConfigNode extends = node["extends"];
   constexpr std::size_t kMaxExtendsDepth = 100;
   if (files.size() > kMaxExtendsDepth)
-    extends.fail(fmt::format("more than {} configs in a row", kMaxExtendsDepth));
+    extends.fail(fmt::format("more than {} configs extend one another", kMaxExtendsDepth));
   const std::filesystem::path base = node.folder() / extends.text();
   for (const auto& known : files) {
     if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
-      extends.fail("comes back to a config that extends this one");
+      extends.fail("names a config that itself extends this one");
     }
   }
   return load_extended(base, files);
@@ -97,8 +97,8 @@ int named_joint(const config::ConfigNode& entry, const char* key, const RobotMod
 /// within its limits.
 void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   const RobotModel& robot = loaded.robot;
-  if (node.has("map") && node["map"].has("natural")) {
-    for (const config::ConfigNode& entry : node["map"]["natural"].items()) {
+  if (node.has("map") && node["map"].has("natural_posture")) {
+    for (const config::ConfigNode& entry : node["map"]["natural_posture"].items()) {
       named_joint(entry, "joint", robot);
       named_joint(entry, "follow", robot);
     }
@@ -114,7 +114,7 @@ void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   }
 }
 
-/// Checks that the terms in map.terms are supplied by the program, and adds them.
+/// Checks that the terms in map.custom_terms are supplied by the program, and adds them.
 void bring_terms(const config::ConfigNode& node,
                  const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
                  map::MapOptions& options) {
@@ -123,8 +123,8 @@ void bring_terms(const config::ConfigNode& node,
   if (unknown.empty()) return;
   std::string known;
   for (const auto& term : terms) known += (known.empty() ? "" : ", ") + term->name();
-  node["map"]["terms"].fail(fmt::format("this program brings no term '{}' ({})", unknown,
-                                        known.empty() ? "it brings none" : "but " + known));
+  node["map"]["custom_terms"].fail(fmt::format("this program has no term '{}' (available: {})",
+                                               unknown, known.empty() ? "none" : known));
 }
 
 using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
@@ -140,7 +140,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw InputError(fmt::format("--set {}: needs a.b=value", setting));
+      throw InputError(fmt::format("--set {}: must have the form a.b=value", setting));
     }
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
@@ -162,13 +162,13 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
   check_joints(node, loaded);
-  if (loaded.options.map.natural.empty()) {
+  if (loaded.options.map.natural_posture.empty()) {
     for (const robot::NaturalJoint& joint : robot.natural) {
-      loaded.options.map.natural.push_back({joint.joint, joint.follow, joint.value});
+      loaded.options.map.natural_posture.push_back({joint.joint, joint.follow, joint.value});
     }
   }
-  if (loaded.options.parts && !map::is_hand_only(loaded.robot)) {
-    node["parts"].fail("is for hands without an arm: " + loaded.robot.name + " has one");
+  if (loaded.options.split && !map::is_hand_only(loaded.robot)) {
+    node["split"].fail("is only for hands without an arm: " + loaded.robot.name + " has an arm");
   }
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = collect(groups);
@@ -183,9 +183,9 @@ std::string name_of_entry(const config::ConfigNode& entry,
   const bool plain = std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '+';
   });
-  if (name.empty() || !plain) node.fail("must be of letters, digits, '_', '-' and '+'");
+  if (name.empty() || !plain) node.fail("may contain only letters, digits, '_', '-' and '+'");
   if (std::ranges::find(earlier, name, &RobotConfig::name) != earlier.end())
-    node.fail("is there twice");
+    node.fail("appears twice");
   return name;
 }
 
@@ -194,8 +194,8 @@ std::string name_of_entry(const config::ConfigNode& entry,
 Tolerances tolerances_of(const PipelineConfig& config) {
   Tolerances tolerances = config.check.tolerances;
   if (config.grasp) {
-    tolerances.contact_depth = config.grasp->contact_depth_m;
-    tolerances.link_depth = config.grasp->link_depth_m;
+    tolerances.max_penetration = config.grasp->max_penetration_m;
+    tolerances.max_link_penetration = config.grasp->max_link_penetration_m;
   }
   return tolerances;
 }
@@ -204,7 +204,8 @@ LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings, const Terms& terms) {
   Paths files;
   const config::ConfigNode node = load_extended(file, files);
-  if (node.has("robots")) node["robots"].fail("has several, and this takes the config of one");
+  if (node.has("robots"))
+    node["robots"].fail("lists several robots; this command needs the config of one robot");
   return load(node, files, settings, terms);
 }
 
@@ -220,18 +221,19 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
   }
   const config::ConfigNode robots_node = (here ? own : *base)["robots"];
   const config::ConfigNode list = robots_node.copy_as_document();
-  if (list.items().empty()) list.fail("must name a robot");
+  if (list.items().empty()) list.fail("must list at least one robot");
   own.erase("robots");
   own.erase("extends");
   if (base) base->erase("robots");
   std::vector<RobotConfig> robots;
   for (const config::ConfigNode& entry : list.items()) {
-    if (entry.has("dataset")) entry["dataset"].fail("is the same for all: it stands beside robots");
+    if (entry.has("dataset"))
+      entry["dataset"].fail("is the same for all robots: put it beside `robots`");
     Paths of_robot = files;
     config::ConfigNode node = entry.copy_as_document();
     node.extend(own);
     if (std::optional<config::ConfigNode> extended = load_base(entry, of_robot)) {
-      if (extended->has("robots")) entry["extends"].fail("has robots of its own");
+      if (extended->has("robots")) entry["extends"].fail("names a config with its own `robots`");
       extended->erase("dataset");
       node.extend(*extended);
     }

@@ -50,7 +50,7 @@ struct PipelineConfig {
   repair::RepairOptions repair;
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< if absent: no approach and retreat
-  std::optional<PartsOptions> parts;        ///< if absent: no planning in parts
+  std::optional<PartsOptions> split;        ///< if absent: no planning in parts
 };
 template <class Fields>
 void fields(Fields& f, PipelineConfig& o) {
@@ -69,7 +69,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f("repair", o.repair);
   f("retime", o.retime);
   f("approach", o.approach);
-  f("parts", o.parts);
+  f("split", o.split);
 }
 
 /// Returns the tolerances by which a plan is judged; with the section `grasp`, pads and links may
@@ -86,8 +86,8 @@ struct LoadedConfig {
 };
 
 /// Reads a config of one robot, applies "a.b=value" settings and loads the files that it names;
-/// `terms` are the program's own terms for `map.terms`. Throws InputError for invalid files and
-/// values and for unknown keys.
+/// `terms` are the program's own terms for `map.custom_terms`. Throws InputError for invalid files
+/// and values and for unknown keys.
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {},
                          const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});

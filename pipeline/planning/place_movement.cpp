@@ -32,7 +32,7 @@ void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
   const robot::Robot& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
-    if (planner.config.scene.target.carried == scene::Carrier::palm) {
+    if (planner.config.scene.target.carried_by == scene::Carrier::palm) {
       object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
     } else {
       scene::move_with_tips(motion, movement, object);
@@ -44,7 +44,7 @@ void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
 Scene select_mapping_scene(const PipelineConfig& config, const Scene& scene,
                            const Movement& movement) {
   std::vector<std::string> names = scene::mapping_obstacles(config.scene, scene);
-  if (config.map.clear_of_target) names.push_back(movement.target);
+  if (config.map.avoid_target) names.push_back(movement.target);
   Scene part;
   for (const SceneObject& object : scene.objects) {
     if (std::ranges::find(names, object.name) != names.end()) part.objects.push_back(object);
@@ -75,18 +75,20 @@ std::vector<SceneObject> other_arm_obstacles(const PlanningInputs& planner,
   const PipelineConfig& config = planner.config;
   if (!config.scene.other_arm) return {};
   if (map::is_hand_only(planner.robot)) {
-    notes.emplace_back("a hand alone has no place in the world: the other arm is no obstacle");
+    notes.emplace_back(
+        "a hand without an arm has no position in the world: the other arm is not an obstacle");
     return {};
   }
   const HumanMotion other = reconstruct::reconstruct_other_arm(demonstration, config.reconstruct,
                                                                config.human, planner.robot.side);
   if (const PlanningFailure inhuman = reconstruct::check_human_limits(other, config.human)) {
-    notes.push_back("the person's other arm, an obstacle all the same: " + inhuman.detail);
+    notes.push_back("the person's other arm is implausible, but still an obstacle: " +
+                    inhuman.detail);
   }
   std::vector<SceneObject> capsules = scene::other_arm_capsules(config.scene, other, notes);
   std::erase_if(capsules, [&](const SceneObject& capsule) {
     const bool recorded = find_object(demonstration.objects, capsule.name) != nullptr;
-    if (recorded) notes.push_back(capsule.name + " is an object that was recorded, as it was");
+    if (recorded) notes.push_back(capsule.name + " was recorded as an object: used as recorded");
     return recorded;
   });
   return capsules;
@@ -102,7 +104,7 @@ PlacedMovement::PlacedMovement(const PlanningInputs& planner, const HumanMotion&
   frames = find_world_frames(scene, movement, base_from_world, shoulder);
   missing_support = scene::add_relative_objects(config.scene, frames, movement.begin_s, scene);
   goals = map::make_goals(robot, motion, movement, base_from_world);
-  if (config.map.free_offset.limit_m > 0) goals.free_offset = offset;
+  if (config.map.base_offset.limit_m > 0) goals.base_offset = offset;
   mapping_scene = select_mapping_scene(config, scene, movement);
   world = collision::make_world(robot, mapping_scene, movement, config.check.tolerances,
                                 config.scene.meshes);
@@ -139,12 +141,12 @@ Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
     double sum = 0;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const JointVector near = start.row(static_cast<Eigen::Index>(k)).transpose();
-      sum += map::solve_frame(moved.problem, frames[k], near, options.solver, scratch).value;
+      sum += map::solve_frame(moved.problem, frames[k], near, options.frame_solver, scratch).value;
     }
     return sum / static_cast<double>(frames.size()) +
-           options.free_offset.weight * offset.squaredNorm();
+           options.base_offset.weight * offset.squaredNorm();
   };
-  return map::compass_search(cost, options.free_offset.limit_m, 0.001);
+  return map::compass_search(cost, options.base_offset.limit_m, 0.001);
 }
 
 }  // namespace morphe::planning

@@ -40,8 +40,8 @@ struct PlacedMovement {
 /// Returns at most `most` of a movement's frames, evenly spaced, including the first and the last.
 std::vector<std::size_t> evenly_spaced_frames(std::size_t frames, std::size_t most);
 
-/// Section 3.3: returns the offset |o_k| <= free_offset.limit that minimises
-///   mean over at most 16 frames of min_q F + free_offset.weight * ‖o‖²,
+/// Section 3.3: returns the offset |o_k| <= base_offset.limit that minimises
+///   mean over at most 16 frames of min_q F + base_offset.weight * ‖o‖²,
 /// by a compass search from zero with steps down to 1 mm. The minima are those near the best
 /// solution without an offset. There is one offset for the whole movement, because the base does
 /// not move during it.

@@ -52,7 +52,7 @@ Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
 run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
                                              const Demonstration& demonstration) {
   run::DemonstrationOutcome outcome;
-  StageSeconds& seconds = outcome.stage_seconds;
+  StageSeconds& seconds = outcome.stage_cpu_s;
   const PipelineConfig& config = planner.config;
   const Reconstruction rebuilt = reconstruct_demonstration(planner, demonstration, seconds);
   const HumanMotion& motion = rebuilt.motion;
@@ -61,8 +61,8 @@ run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
   std::vector<std::vector<Plan>> plans(movements.size());
   std::vector<StageSeconds> of_movement(movements.size());
   parallel::for_each_index(movements.size(), [&](std::size_t k) {
-    if (config.parts) {
-      plans[k] = plan_parts(planner, beside, motion, movements[k], *config.parts, of_movement[k]);
+    if (config.split) {
+      plans[k] = plan_parts(planner, beside, motion, movements[k], *config.split, of_movement[k]);
     } else {
       plans[k].push_back(plan_movement(planner, beside, motion, movements[k], of_movement[k]));
     }
@@ -77,10 +77,10 @@ run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
     for (const auto& [stage, taken] : own) seconds[stage] += taken;
   }
   if (movements.empty()) {
-    const std::string nothing =
-        map::is_hand_only(planner.robot)
-            ? "no complete reach in it (segment.whole plans a recording of gestures)"
-            : "no complete reach in it";
+    const std::string nothing = map::is_hand_only(planner.robot)
+                                    ? "no complete reach was found (for a recording of gestures, "
+                                      "set segment.whole_recording)"
+                                    : "no complete reach was found";
     const std::string detail = motion.reconstruction_notes.empty()
                                    ? nothing
                                    : nothing + "; " + join_sentences(motion.reconstruction_notes);

@@ -57,7 +57,7 @@ PreparedMovement set_up(const PlanningInputs& planner, const Demonstration& demo
   setting.motion = std::move(there.motion);
   setting.around = std::move(there.scene);
   setting.offset = known_offset.value_or(Vec3::Zero());
-  if (config.map.free_offset.limit_m > 0 && !known_offset) {
+  if (config.map.base_offset.limit_m > 0 && !known_offset) {
     setting.offset = time_stage(seconds, "map", [&] {
       return choose_offset(planner, setting.motion, placed, setting.around,
                            math::seed_from(setting.seed, "offset"));
@@ -100,7 +100,7 @@ void retime_and_certify(const PlanningInputs& planner, const collision::Collisio
     plan.certificate = certified.value;
     const Reason reason = certified.failure.reason;
     const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
-    if (smoothed && (reason == Reason::smoothing || reason == Reason::tracking)) {
+    if (smoothed && (reason == Reason::smoothing_collision || reason == Reason::tracking)) {
       options.tip_tolerance = options.joint_tolerance = 0;
       continue;
     }
@@ -133,16 +133,16 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
     const double at_s =
         plan.trajectory.demonstration_time[static_cast<std::size_t>(plan.grasp.sample)];
     plan.grasp.contacts =
-        grasp::measure_contacts(world, contacts.contacts, plan.grasp.hand_posture, at_s);
+        grasp::measure_contacts(world, contacts.contacts, plan.grasp.grasp_posture, at_s);
     if (config.grasp) {
-      const Vec3 down = -plan.world.base_from_world.linear().col(2);
+      const Vec3 down = -plan.reference_frames.base_from_world.linear().col(2);
       grasp::evaluate_grasp(world, at_s, down, *config.grasp, plan.grasp);
     }
   }
   plan.detail = only_near;
   for (const std::string& sentence :
        {warnings(world, plan.goals, plan.movement, setting.motion, plan.trajectory,
-                 config.retime.mode == retime::RetimeMode::kept),
+                 config.retime.mode == retime::RetimeMode::catch_up),
         join_sentences(contacts.notes), grasp_force_warning(plan.grasp),
         humanlikeness_warning(plan.certificate, plan.goals),
         unchecked_sentence(planner.robot.unchecked_links)}) {
@@ -152,8 +152,8 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
 
 /// Returns true if contacts may free a path: it is free, or only the target obstructs it.
 bool can_use_contacts(const Plan& plan) {
-  return std::ranges::all_of(plan.remaining, [&](const Finding& finding) {
-    return finding.second == plan.movement.target;
+  return std::ranges::all_of(plan.remaining_findings, [&](const Finding& finding) {
+    return finding.other_body == plan.movement.target;
   });
 }
 
@@ -196,10 +196,10 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
   if (setting.failure) return fail(std::move(plan), setting.failure);
   PlacedMovement placed(planner, setting.motion, plan.movement, setting.around, setting.offset);
   plan.scene = placed.scene;
-  plan.world = placed.frames;
+  plan.reference_frames = placed.frames;
   plan.goals = placed.goals;
   if (!placed.missing_support.empty())
-    return fail(std::move(plan), {Reason::no_frame, placed.missing_support});
+    return fail(std::move(plan), {Reason::no_reference_frame, placed.missing_support});
   if (!has_grasp_goal(plan.goals, plan.movement)) {
     return fail(std::move(plan), {Reason::no_goal, "no fingertip was seen in the grasp"});
   }
@@ -224,7 +224,7 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
     });
     plan.path = std::move(repaired.value.path);
     plan.repair = std::move(repaired.value.attempts);
-    plan.remaining = std::move(repaired.value.remaining);
+    plan.remaining_findings = std::move(repaired.value.remaining);
     plan.certificate.repaired = repaired.value.repaired;
     failure = std::move(repaired.failure);
   }

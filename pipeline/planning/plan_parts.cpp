@@ -8,7 +8,7 @@
 namespace morphe::planning {
 
 std::string validation_error(const PartsOptions& options) {
-  return options.least_s >= 0.1 ? "" : "least_s must be at least 0.1";
+  return options.min_duration_s >= 0.1 ? "" : "min_duration_s must be at least 0.1";
 }
 
 std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration& demonstration,
@@ -19,21 +19,22 @@ std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration&
       [&](const Movement& part, const std::optional<Vec3>& offset) {
         Plan whole = plan_movement(planner, demonstration, recorded, part, seconds, offset);
         const bool mapped = whole.mapped.position.rows() > 0;
-        if (whole.has_trajectory() || !mapped || part.end_s - part.begin_s < 2 * options.least_s) {
+        if (whole.has_trajectory() || !mapped ||
+            part.end_s - part.begin_s < 2 * options.min_duration_s) {
           parts.push_back(std::move(whole));
           return;
         }
         Movement first = part, second = part;
         first.end_s = second.begin_s = 0.5 * (part.begin_s + part.end_s);
-        plan(first, whole.goals.free_offset);
-        plan(second, whole.goals.free_offset);
+        plan(first, whole.goals.base_offset);
+        plan(second, whole.goals.base_offset);
       };
   plan(movement, {});
   if (parts.size() == 1) return parts;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Movement& own = parts[k].movement;
     const std::string part =
-        fmt::format("part {} of {} of a movement of {:.2f} s: {:.2f}-{:.2f} s", k + 1, parts.size(),
+        fmt::format("part {} of {} of a movement of {:.2f} s: {:.2f}–{:.2f} s", k + 1, parts.size(),
                     movement.end_s - movement.begin_s, own.begin_s, own.end_s);
     std::string& detail = parts[k].detail;
     detail += (detail.empty() ? "" : "; ") + part;

@@ -17,14 +17,14 @@ RobotModel robot_in(const std::filesystem::path& file, const UnpackedInputs& fil
   robot::RobotDescription robot = robot::load_robot(file);
   for (const std::filesystem::path& own : robot.files) {
     if (!files.contains(own))
-      throw InputError(fmt::format("{}: names a file that is not here", file.string()));
+      throw InputError(fmt::format("{}: names a file that is not in /inputs", file.string()));
   }
   return std::move(robot.table);
 }
 
 /// Returns the robot of the first file with its name that is a valid robot.
 RobotModel robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
-  std::string wrong = fmt::format("/inputs: holds no {}", config.robot.file);
+  std::string wrong = fmt::format("/inputs: does not contain {}", config.robot.file);
   for (const std::filesystem::path& file : files.find_all(config.robot.file)) {
     try {
       return robot_in(file, files);
@@ -67,7 +67,7 @@ std::vector<scene::ConfiguredObject> file_objects(const scene::SceneOptions& sce
                                                   const UnpackedInputs& files) {
   if (scene.file.empty()) return {};
   const std::filesystem::path file = files.find(scene.file);
-  if (file.empty()) throw InputError(fmt::format("/inputs: holds no {}", scene.file));
+  if (file.empty()) throw InputError(fmt::format("/inputs: does not contain {}", scene.file));
   scene::SceneOptions alone;
   alone.table = scene.table;
   alone.file = file.string();
@@ -89,7 +89,7 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   config::read_document(node, config);
   if (config::write_options(config) != header.config)
     throw InputError(
-        fmt::format("/@config: is not as this version writes it ({})", header.software));
+        fmt::format("/@config: differs from what this version writes ({})", header.software));
   const UnpackedInputs files(header.inputs);
   PlanRequest asked;
   try {
@@ -102,13 +102,14 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   asked.config_sha256 = files::sha256(header.config);
   asked.tolerances = tolerances_of(config);
   asked.goal_step_s = 1 / config.reconstruct.rate_hz;
-  asked.limit_share = config.retime.limit_share;
-  if (!config.parts && !config.segment.whole) asked.plan_until = config.segment.plan_until;
-  if (config.scene.target.carried == scene::Carrier::palm)
+  asked.limit_scaling = config.retime.limit_scaling;
+  if (!config.split && !config.segment.whole_recording)
+    asked.plan_until = config.segment.plan_until;
+  if (config.scene.target.carried_by == scene::Carrier::palm)
     asked.carrier_frame = asked.robot.frames[static_cast<std::size_t>(asked.robot.palm_frame)].name;
   if (config.approach)
-    asked.home = {home_posture(asked.robot, *config.approach), config.approach->limit_share,
-                  config.approach->back};
+    asked.home = {home_posture(asked.robot, *config.approach), config.approach->limit_scaling,
+                  config.approach->retreat};
   return asked;
 }
 

@@ -21,8 +21,9 @@ std::string lateness(const Trajectory& trajectory) {
     most_s = std::max(most_s, late);
     if (late > kOnTime_s) late_s += trajectory.time[i] - trajectory.time[i - 1];
   }
-  return fmt::format("late by up to {:.2f} s, for {:.2f} s by more than {:.2f}", most_s, late_s,
-                     kOnTime_s);
+  return fmt::format(
+      "behind the demonstration by up to {:.2f} s (by more than {:.2f} s during {:.2f} s)", most_s,
+      kOnTime_s, late_s);
 }
 
 }  // namespace
@@ -39,7 +40,7 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   std::vector<std::string> sentences, asked;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
-    if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
+    if (!goals.auto_closed.empty() && goals.auto_closed[tip] != 0) continue;
     for (std::size_t f = 0; f < goals.frames(); ++f) count += is_known(goals.tip_position(f, tip));
     if (count > 0) asked.push_back(robot.tips[tip].name);
     if (count > 0 && count < goals.frames()) {
@@ -48,25 +49,25 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
     }
   }
   if (goals.hand_scale != 1) {
-    sentences.push_back(
-        fmt::format("the human's hand is made {:.3g} times as large", goals.hand_scale));
+    sentences.push_back(fmt::format("the person's hand is scaled by {:.3g}", goals.hand_scale));
   }
-  if (goals.free_offset) {
-    const Vec3 moved = 1e3 * *goals.free_offset;
+  if (goals.base_offset) {
+    const Vec3 moved = 1e3 * *goals.base_offset;
     sentences.push_back(fmt::format("the base is moved by ({:.0f}, {:.0f}, {:.0f}) mm", moved.x(),
                                     moved.y(), moved.z()));
   }
   for (std::size_t k = 0; k < world.meshes.size(); ++k) {
     if (world.meshes[k] && collision::is_open(*world.meshes[k])) {
-      sentences.push_back(world.scene->objects[k].name + " is not closed: only its surface counts");
+      sentences.push_back(world.scene->objects[k].name +
+                          " is not a closed mesh: only its surface is an obstacle");
     }
   }
   if (kept && !trajectory.time.empty()) sentences.push_back(lateness(trajectory));
-  if (asked.size() == 1) sentences.push_back("no tip but " + asked.front() + " has goals");
+  if (asked.size() == 1) sentences.push_back("only " + asked.front() + " has goals");
   for (const Phase& phase : movement.phases) {
     if (phase.begin_s > movement.end_s || phase.confidence > kMaxUncertainConfidence) continue;
-    sentences.push_back(fmt::format("{} begins or ends uncertainly ({:.0f} %)", name_of(phase.kind),
-                                    100 * phase.confidence));
+    sentences.push_back(fmt::format("the limits of phase {} are uncertain (confidence {:.0f} %)",
+                                    name_of(phase.kind), 100 * phase.confidence));
   }
   sentences.insert(sentences.end(), motion.reconstruction_notes.begin(),
                    motion.reconstruction_notes.end());
@@ -75,8 +76,8 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
 
 std::string grasp_force_warning(const Grasp& grasp) {
   const bool judged = !std::isnan(grasp.quality.epsilon_upper);
-  if (!judged || grasp.squeeze_torque.size() > 0) return "";
-  return fmt::format("no squeeze: no forces of these contacts balance (epsilon {:.2f})",
+  if (!judged || grasp.grasp_torque.size() > 0) return "";
+  return fmt::format("no squeeze: no forces at these contacts are in balance (epsilon {:.2f})",
                      grasp.quality.epsilon_upper);
 }
 
@@ -84,10 +85,10 @@ std::string humanlikeness_warning(const Certificate& certificate, const Goals& g
   constexpr double kMaxUpperArmError_rad = 45 * kRadPerDegree;
   if (!(certificate.upper_arm_error_mean > kMaxUpperArmError_rad)) return "";
   return fmt::format(
-      "not humanlike: the upper arm is {}{:.0f} degrees from the person's{} in the mean (morphe "
-      "place)",
+      "not humanlike: the upper arm deviates from the person's{2} by {0}{1:.0f} degrees on average "
+      "(try morphe place)",
       is_arm_estimated(goals) ? "~" : "", certificate.upper_arm_error_mean / kRadPerDegree,
-      is_arm_estimated(goals) ? ", which is an estimate," : "");
+      is_arm_estimated(goals) ? ", which is estimated," : "");
 }
 
 }  // namespace morphe::planning

@@ -26,12 +26,12 @@ RepairStrategy re_solve_strategy(const ReSolveContext& solving, std::string name
     repair::StrategyResult result{best};
     const bool tips_alone = std::ranges::none_of(best.findings, is_collision, &Finding::cause);
     if (tips_alone && firmness.band_scale == 1) {
-      result.stop_reason = "not tried: no collision to keep clear of";
+      result.stop_reason = "skipped (no collision left)";
       return result;
     }
     map::MapOptions options = solving.options;
-    if (exactly) options.movement.iterations *= 2;
-    if (!exactly) options.movement.relative_value *= kCoarseToleranceFactor;
+    if (exactly) options.movement_solver.max_iterations *= 2;
+    if (!exactly) options.movement_solver.relative_tolerance *= kCoarseToleranceFactor;
     result.candidate.path = map::re_solve_path(with_clearance_weights(solving.whole, firmness),
                                                best.path, best.findings, options);
     result.candidate.findings = solving.check(result.candidate.path);
@@ -50,15 +50,17 @@ RepairStrategy one_of(std::string name, std::vector<RepairStrategy> rungs) {
 }  // namespace
 
 RepairStrategy re_solve_mildly(const ReSolveContext& solving) {
-  return one_of("re-solve gently", {re_solve_strategy(solving, "clearance 10 times as heavy", {10}),
-                                    re_solve_strategy(solving, "100 times", {100})});
+  return one_of("re-solve, low clearance weights",
+                {re_solve_strategy(solving, "clearance weight x 10", {10}),
+                 re_solve_strategy(solving, "clearance weight x 100", {100})});
 }
 
 RepairStrategy re_solve_strongly(const ReSolveContext& solving) {
-  return one_of("re-solve firmly",
-                {re_solve_strategy(solving, "clearance 1000 times as heavy", {1000}),
-                 re_solve_strategy(solving, "10000 times, just free", {10000, 0.2}),
-                 re_solve_strategy(solving, "tips and freedom alone", kStrongestWeights, true)});
+  return one_of("re-solve, high clearance weights",
+                {re_solve_strategy(solving, "clearance weight x 1000", {1000}),
+                 re_solve_strategy(solving, "clearance weight x 10000, activation distance x 0.2",
+                                   {10000, 0.2}),
+                 re_solve_strategy(solving, "tips and clearance only", kStrongestWeights, true)});
 }
 
 }  // namespace morphe::planning

@@ -19,7 +19,7 @@ using repair::RepairStrategy;
 }  // namespace
 
 collision::CollisionWorld with_extra_margin(collision::CollisionWorld world) {
-  world.tolerances.margin += 2e-4;
+  world.tolerances.required_clearance += 2e-4;
   return world;
 }
 
@@ -46,39 +46,40 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
   repair::CandidateFindings ends;
   repair::DetourContext around{world, config.repair, seed, check_with_extra_margin, {}};
 
-  const RepairStrategy a_detour{"detour", [&](const CheckedPath& best) { return repair::detour(around, best); }};
+  const RepairStrategy a_detour{
+      "detour", [&](const CheckedPath& best) { return repair::detour(around, best); }};
   std::vector<RepairStrategy> ladder{a_detour};
   if (config.repair.method == repair::Method::humanlike) {
     around.tracking_recovery = {re_solve_mildly(solving),
                                 repair::only_if_nearly_free(re_solve_strongly(solving))};
     const RepairStrategy unless_a_dead_end{
-        "look for a dead end", [&](const CheckedPath& best) {
+        "look for an infeasible frame", [&](const CheckedPath& best) {
           const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
-          if (!tips_count)
-            return repair::StrategyResult{best, {}, false, "not tried: no goals of tips"};
+          if (!tips_count) return repair::StrategyResult{best, {}, false, "skipped (no tip goals)"};
           return stop_if_infeasible(whole, best, check, config.map, seed, holds);
         }};
     const RepairStrategy a_detour_from_the_mapped_path{
-        "detour from the mapped path",
-        [&](const CheckedPath& best) { return repair::detour_from_mapped(warm_start, around, best); }};
+        "detour from the mapped path", [&](const CheckedPath& best) {
+          return repair::detour_from_mapped(warm_start, around, best);
+        }};
     std::vector<RepairStrategy> with_a_detour = around.tracking_recovery;
     with_a_detour.push_back(repair::detour_if_only_collisions(around));
     ladder = {
         re_solve_mildly(solving),
         unless_a_dead_end,
         re_solve_strongly(solving),
-        repair::candidate_strategy("courses through free postures", around.tracking_recovery,
-                                   check_with_extra_margin,
+        repair::candidate_strategy("paths through collision-free postures",
+                                   around.tracking_recovery, check_with_extra_margin,
                                    candidates_through_postures(whole, config.map, holds), ends),
-        repair::candidate_strategy("other courses of the mapping", around.tracking_recovery,
+        repair::candidate_strategy("other paths of the mapping", around.tracking_recovery,
                                    check_with_extra_margin,
                                    mapping_candidates(whole, mapped.candidates), ends),
         a_detour,
         a_detour_from_the_mapped_path,
         repair::candidate_strategy(
-            "other courses through the whole scene", std::move(with_a_detour),
+            "other paths of new mapping searches", std::move(with_a_detour),
             check_with_extra_margin,
-            searched_candidates(whole, config.map, config.repair.searches, seed), ends),
+            searched_candidates(whole, config.map, config.repair.mapping_searches, seed), ends),
     };
   }
   Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, warm_start);

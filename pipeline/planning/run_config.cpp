@@ -59,14 +59,15 @@ RunConfig stored_config(const fs::path& plans) {
     if (!named.empty()) {
       const fs::path file = files.find(named);
       if (file.empty())
-        throw InputError(fmt::format("{}: /inputs: holds no {}", plans.string(), named));
+        throw InputError(fmt::format("{}: /inputs: does not contain {}", plans.string(), named));
       loaded.options.scene.file = file.string();
     }
     try {
       scene::load_scene_files(loaded.options.scene, node["scene"]);
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: holds no mesh files; run with the config itself: {}",
-                                   plans.string(), files.with_stored_paths(error.what())));
+      throw InputError(
+          fmt::format("{}: does not contain the mesh files; run with the config file instead: {}",
+                      plans.string(), files.with_stored_paths(error.what())));
     }
     loaded.options.scene.file = named;
   }

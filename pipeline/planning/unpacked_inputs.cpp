@@ -14,12 +14,13 @@ namespace fs = std::filesystem;
 
 UnpackedInputs::UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs) {
   std::string name = (fs::temp_directory_path() / "morphe_from_XXXXXX").string();
-  if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot be made", name));
+  if (!::mkdtemp(name.data())) throw InputError(fmt::format("{}: cannot be created", name));
   folder_ = name;
   try {
     for (const PlanFileHeader::Input& input : inputs) {
       const fs::path file = (folder_ / input.path).lexically_normal();
-      if (!contains(file)) throw InputError(fmt::format("/inputs/{}: lies outside", input.path));
+      if (!contains(file))
+        throw InputError(fmt::format("/inputs/{}: is outside of /inputs", input.path));
       fs::create_directories(file.parent_path());
       std::ofstream(file, std::ios::binary) << input.text;
       folders_.push_back(file.parent_path());

@@ -55,7 +55,8 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
     const double time_s = motion.demonstration_time[k];
     const JointVector q = motion.position.row(static_cast<Eigen::Index>(k)).transpose();
     collision::PairSeparation nearest = collision::least_slack(world, q, time_s, scratch);
-    const double wide = world.tolerances.contact_depth + world.tolerances.margin + kTouchDistance_m;
+    const double wide =
+        world.tolerances.max_penetration + world.tolerances.required_clearance + kTouchDistance_m;
     near.clear();
     collision::near_pairs(world, q, time_s, wide, scratch, near);
     for (const collision::PairSeparation& pair : near) {
@@ -77,7 +78,7 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
 void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotion& motion) {
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
-  motion.tip_error = motion.orientation_error = JointRows::Constant(rows, tips, kUnknown);
+  motion.tip_error = motion.tip_orientation_error = JointRows::Constant(rows, tips, kUnknown);
   motion.humanlikeness.assign(motion.time.size(), kUnknown);
   if (goals.frames() == 0) return;
   std::vector<Pose> base_from_frame;
@@ -92,7 +93,8 @@ void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotio
       motion.tip_error(row, tip) = (at - tip_goal_at(goals, i, time_s)).norm();
       const Quat turned = tip_orientation_goal_at(goals, i, time_s);
       if (is_known(turned))
-        motion.orientation_error(row, tip) = angle_between(Quat(base_from_tip.linear()), turned);
+        motion.tip_orientation_error(row, tip) =
+            angle_between(Quat(base_from_tip.linear()), turned);
     }
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = interpolate_point(goals.elbow_position, frame_interpolation(goals, time_s));

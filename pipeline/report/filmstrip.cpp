@@ -213,7 +213,7 @@ void draw_charts(Svg& svg, const Plan& plan, const PlanView& view,
   if (motion && !motion->mean_tip_speed.empty())
     speeds.push_back({"robot", time, motion->mean_tip_speed, Colours::kRobot, ""});
   const Vec2 size(kWidth_px / 2, kChartHeight_px);
-  draw_chart(svg, {0, top}, size, "Speed of the fingertips, mean [m/s]", speeds, marks);
+  draw_chart(svg, {0, top}, size, "Mean fingertip speed [m/s]", speeds, marks);
   if (!motion || motion->tip_error.rows() == 0) return;
   std::vector<double> largest, allowed;
   for (Eigen::Index row = 0; row < motion->tip_error.rows(); ++row) {
@@ -222,9 +222,10 @@ void draw_charts(Svg& svg, const Plan& plan, const PlanView& view,
     largest.push_back(most);
     const PhaseKind phase = motion->phase[static_cast<std::size_t>(row)];
     const bool holds = phase == PhaseKind::grasp || phase == PhaseKind::hold;
-    allowed.push_back(holds ? plan.tolerances.tracking_grasp : plan.tolerances.tracking);
+    allowed.push_back(holds ? plan.tolerances.tracking_tolerance_grasp
+                            : plan.tolerances.tracking_tolerance);
   }
-  draw_chart(svg, {kWidth_px / 2, top}, size, "Fingertips from their goals, largest [mm]",
+  draw_chart(svg, {kWidth_px / 2, top}, size, "Largest fingertip error [mm]",
              {{"robot", time, scale_values(largest, 1e3), Colours::kRobot, ""},
               {"allowed", time, scale_values(allowed, 1e3), Colours::kFaint, "2 3"}},
              marks);

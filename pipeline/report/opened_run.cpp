@@ -49,7 +49,7 @@ std::vector<OpenedRun> open_runs(const ReportRequest& request) {
   }
   const std::string& pattern = request.selection.pattern;
   if (!pattern.empty() && !any_plan_matches(runs, pattern))
-    throw InputError(fmt::format("--plans: no plan is called '{}'", pattern));
+    throw InputError(fmt::format("--plans: no plan has the name '{}'", pattern));
   return runs;
 }
 

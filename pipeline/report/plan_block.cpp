@@ -92,11 +92,12 @@ Json human_json(Block& block, const Goals& goals, const std::vector<double>& spe
 
 Json mapped_json(Block& block, const MappingResult& mapped) {
   if (mapped.position.rows() == 0) return nullptr;
-  return {{"position", block.table(mapped.position, Resolution::kAngle_rad)},
-          {"position_error", block.table(mapped.position_error, Resolution::kError)},
-          {"orientation_error", block.table(mapped.orientation_error, Resolution::kAngle_rad)},
-          {"humanlikeness", block.table(mapped.humanlikeness, Resolution::kError)},
-          {"status", block.integer_column(numbers_of(mapped.status))}};
+  return {
+      {"position", block.table(mapped.position, Resolution::kAngle_rad)},
+      {"tip_error", block.table(mapped.tip_error, Resolution::kError)},
+      {"tip_orientation_error", block.table(mapped.tip_orientation_error, Resolution::kAngle_rad)},
+      {"humanlikeness", block.table(mapped.humanlikeness, Resolution::kError)},
+      {"status", block.integer_column(numbers_of(mapped.status))}};
 }
 
 Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
@@ -166,7 +167,8 @@ Json motion_json(Block& block, const DisplayMotion& motion, int capsules) {
   json["object_pose"] = block.table(target_rows(motion), Resolution::kLength_m);
   if (motion.tip_error.rows() > 0) {
     json["tip_error"] = block.table(motion.tip_error, Resolution::kError);
-    json["orientation_error"] = block.table(motion.orientation_error, Resolution::kAngle_rad);
+    json["tip_orientation_error"] =
+        block.table(motion.tip_orientation_error, Resolution::kAngle_rad);
     json["humanlikeness"] = block.column(motion.humanlikeness, Resolution::kError);
   }
   if (!motion.mean_tip_speed.empty())
@@ -210,7 +212,7 @@ Json grasp_json(const Plan& plan) {
   if (json.is_null() || plan.grasp.contacts.empty()) return json;
   store::JsonWriter stored;
   store::lay_out_grasp(stored, plan.grasp);
-  for (const char* part : {"approach_direction", "contacts", "quality", "squeeze"}) {
+  for (const char* part : {"approach_direction", "contacts", "quality", "grasp_force"}) {
     if (stored.json.contains(part)) json[part] = stored.json[part];
   }
   return json;
@@ -233,9 +235,9 @@ Json findings_json(const std::vector<Finding>& findings) {
     out.push_back({{"begin_s", finding.begin_s},
                    {"end_s", finding.end_s},
                    {"cause", name_of(finding.cause)},
-                   {"first", finding.first},
-                   {"second", finding.second},
-                   {"depth", finding.depth}});
+                   {"subject", finding.subject},
+                   {"other_body", finding.other_body},
+                   {"excess", finding.excess}});
   }
   return out;
 }
@@ -249,7 +251,7 @@ Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& vi
   json["world_from_base"] = pose_json(view.world_from_base);
   json["upright"] = view.upright;
   json["common_base_offset"] = point_json(plan.goals.common_base_offset);
-  json["free_offset"] = plan.goals.free_offset ? point_json(*plan.goals.free_offset) : Json();
+  json["base_offset"] = plan.goals.base_offset ? point_json(*plan.goals.base_offset) : Json();
   json["phases"] = phases_json(plan.movement.phases);
   json["findings"] = findings_json(plan.findings);
   json["grasp"] = grasp_json(plan);

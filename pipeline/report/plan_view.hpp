@@ -45,7 +45,7 @@ struct DisplayMotion {
   /// [T] 0 while the target is at its recorded pose.
   std::vector<std::uint8_t> target_moved;
   /// [T, m] position error [m] and full angle [rad], NaN if there is no goal.
-  JointRows tip_error, orientation_error;
+  JointRows tip_error, tip_orientation_error;
   /// [T] metric A, summed over the joint centres of the arm [m^2].
   std::vector<double> humanlikeness;
   /// [T] mean speed of the tips with goals [m/s].

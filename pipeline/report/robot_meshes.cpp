@@ -113,7 +113,7 @@ std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder
 /// Loads a visual. Returns "" or a description of the error.
 std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
   if (visual.file.empty())
-    return fmt::format("{}: is not in the folder of meshes", visual.mesh_name);
+    return fmt::format("{}: not found in the folder of meshes", visual.mesh_name);
   SceneObject surface;
   const std::string wrong = collision::load_raw_mesh(visual.file, surface);
   if (!wrong.empty()) return fmt::format("{}: {}", visual.file.string(), wrong);
@@ -159,7 +159,7 @@ FoundMeshes find_meshes(const RobotModel& robot, const fs::path& path) {
     }
   }
   found.notes.assign(notes.begin(), notes.end());
-  if (found.meshes.empty()) found.notes.push_back("no mesh of a frame of this robot was found");
+  if (found.meshes.empty()) found.notes.push_back("no mesh for a frame of this robot found");
   return found;
 }
 

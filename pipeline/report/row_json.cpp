@@ -13,18 +13,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::vector<bool> sliding_joints(const RobotModel& robot) {
-  std::vector<bool> slides(robot.joints(), false), known(robot.joints(), false);
+  std::vector<bool> prismatic(robot.joints(), false), known(robot.joints(), false);
   for (const RobotModel::Frame& frame : robot.frames) {
     if (frame.joint < 0) continue;
     const auto joint = static_cast<std::size_t>(frame.joint);
-    if (!known[joint]) slides[joint] = frame.slides;
+    if (!known[joint]) prismatic[joint] = frame.prismatic;
     known[joint] = true;
   }
-  return slides;
+  return prismatic;
 }
 
 Json joints_json(const RobotModel& robot) {
-  const std::vector<bool> slides = sliding_joints(robot);
+  const std::vector<bool> prismatic = sliding_joints(robot);
   Json out = Json::array();
   for (std::size_t i = 0; i < robot.joints(); ++i) {
     const auto j = static_cast<Eigen::Index>(i);
@@ -34,7 +34,7 @@ Json joints_json(const RobotModel& robot) {
                    {"velocity", robot.velocity[j]},
                    {"acceleration", robot.acceleration[j]},
                    {"jerk", robot.jerk[j]},
-                   {"slides", static_cast<bool>(slides[i])}});
+                   {"prismatic", static_cast<bool>(prismatic[i])}});
   }
   return out;
 }
@@ -55,18 +55,19 @@ Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path
   row["task"] = plan.task;
   row["hand"] = name_of(plan.hand);
   row["target"] = plan.movement.target;
-  row["start_s"] = number_json(plan.movement.begin_s);
+  row["begin_s"] = number_json(plan.movement.begin_s);
   row["end_s"] = number_json(plan.movement.end_s);
   row["duration_s"] = timed ? Json(plan.trajectory.time.back()) : Json();
   row["findings"] = plan.findings.size();
   row["goals"] = goals.all;
   row["out_of_reach"] = goals.out_of_reach;
   row["certificate"] = certificate.json;
-  row["tolerances"] = {{"margin", plan.tolerances.margin},
-                       {"contact_depth", plan.tolerances.contact_depth},
-                       {"tracking_grasp", plan.tolerances.tracking_grasp},
-                       {"tracking", plan.tolerances.tracking}};
-  if (plan.tolerances.link_depth) row["tolerances"]["link_depth"] = *plan.tolerances.link_depth;
+  row["tolerances"] = {{"required_clearance", plan.tolerances.required_clearance},
+                       {"max_penetration", plan.tolerances.max_penetration},
+                       {"tracking_tolerance_grasp", plan.tolerances.tracking_tolerance_grasp},
+                       {"tracking_tolerance", plan.tolerances.tracking_tolerance}};
+  if (plan.tolerances.max_link_penetration)
+    row["tolerances"]["max_link_penetration"] = *plan.tolerances.max_link_penetration;
   row["estimated"] = plan.goals.estimated;
   row["unchecked_links"] = robot.unchecked_links;
   row["mirrored"] = plan.hand != robot.side;
@@ -81,7 +82,8 @@ Json robot_json(const RobotModel& robot) {
   out["palm_frame"] = robot.palm_frame;
   out["unchecked_links"] = robot.unchecked_links;
   out["joints"] = joints_json(robot);
-  for (const char* list : {"frames", "tips", "capsules", "centres"}) out[list] = Json::array();
+  for (const char* list : {"frames", "tips", "capsules", "joint_centres"})
+    out[list] = Json::array();
   for (const RobotModel::Frame& frame : robot.frames) {
     out["frames"].push_back({{"name", frame.name},
                              {"parent", frame.parent},
@@ -90,14 +92,14 @@ Json robot_json(const RobotModel& robot) {
                              {"joint", frame.joint},
                              {"ratio", frame.ratio},
                              {"offset", frame.offset},
-                             {"slides", frame.slides}});
+                             {"prismatic", frame.prismatic}});
   }
   for (const RobotModel::Tip& tip : robot.tips) {
     out["tips"].push_back({{"name", tip.name},
                            {"frame", tip.frame},
                            {"transform", pose_json(tip.transform)},
                            {"finger", tip.finger},
-                           {"along", number_json(tip.along)}});
+                           {"finger_curve_share", number_json(tip.finger_curve_share)}});
   }
   for (const RobotModel::Capsule& capsule : robot.capsules) {
     out["capsules"].push_back({{"name", capsule.name},
@@ -107,8 +109,8 @@ Json robot_json(const RobotModel& robot) {
                                {"radius", capsule.radius},
                                {"may_touch_target", capsule.may_touch_target}});
   }
-  for (const RobotModel::JointCentre& centre : robot.centres)
-    out["centres"].push_back({{"frame", centre.frame}, {"chain", centre.chain}});
+  for (const RobotModel::JointCentre& centre : robot.joint_centres)
+    out["joint_centres"].push_back({{"frame", centre.frame}, {"chain", centre.chain}});
   return out;
 }
 

@@ -13,7 +13,7 @@
 namespace morphe::report {
 namespace {
 
-double out_of_reach_share(const Plan& plan) {
+double unreachable_share(const Plan& plan) {
   const GoalCount count = count_goals(plan.goals);
   return count.all > 0 ? count.share_out_of_reach() : kUnknown;
 }
@@ -25,13 +25,13 @@ struct RankingMeasure {
 };
 
 constexpr std::array<RankingMeasure, 7> kRankingMeasures{{
-    {"tips", [](const Plan& plan) { return plan.certificate.position_error_max; }},
-    {"grasp", [](const Plan& plan) { return plan.certificate.position_error_grasp; }},
+    {"tip_error_max", [](const Plan& plan) { return plan.certificate.tip_error_max; }},
+    {"tip_error_grasp", [](const Plan& plan) { return plan.certificate.tip_error_grasp; }},
     {"clearance", [](const Plan& plan) { return -plan.certificate.clearance; }},
-    {"tempo", [](const Plan& plan) { return std::abs(std::log(plan.certificate.tempo)); }},
-    {"upper_arm", [](const Plan& plan) { return plan.certificate.upper_arm_error_mean; }},
+    {"tempo", [](const Plan& plan) { return std::abs(std::log(plan.certificate.duration_ratio)); }},
+    {"upper_arm_error", [](const Plan& plan) { return plan.certificate.upper_arm_error_mean; }},
     {"humanlikeness", [](const Plan& plan) { return plan.certificate.humanlikeness_final; }},
-    {"out_of_reach", out_of_reach_share},
+    {"unreachable_share", unreachable_share},
 }};
 
 std::vector<std::size_t> select_worst(const std::vector<std::size_t>& plans,
@@ -56,9 +56,9 @@ std::string left_out_sentence(const Selection& selection, std::size_t all, std::
           : "those";
   if (what != "those" && (!selection.pattern.empty() || selection.infeasible_only))
     what += " of those";
-  if (!selection.pattern.empty()) what += fmt::format(" called {}", selection.pattern);
+  if (!selection.pattern.empty()) what += fmt::format(" with the name {}", selection.pattern);
   if (selection.infeasible_only) what += " that are infeasible";
-  return fmt::format("{} of {} are left out: shown are {}", all - shown, count_with_noun(all, "plan"),
+  return fmt::format("{} of {} are hidden; shown are {}", all - shown, count_with_noun(all, "plan"),
                      what);
 }
 

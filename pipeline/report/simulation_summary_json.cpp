@@ -63,7 +63,7 @@ Json simulation_summary_json(const std::vector<fs::path>& folders, const RobotMo
     other = true;
   }
   if (other)
-    notes.push_back(fmt::format("{}/{:03}: what was simulated is another plan, and left out",
+    notes.push_back(fmt::format("{}/{:03}: skipped: the simulation belongs to another plan",
                                 plan.demonstration, plan.movement.index));
   return nullptr;
 }

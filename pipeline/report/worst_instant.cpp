@@ -8,10 +8,9 @@
 namespace morphe::report {
 namespace {
 
-
 bool is_about_contact(Reason reason) {
   return reason == Reason::start_in_collision || reason == Reason::goal_in_collision ||
-         reason == Reason::no_path || reason == Reason::collision || reason == Reason::smoothing;
+         reason == Reason::no_path || reason == Reason::smoothing_collision;
 }
 
 bool is_about_tips(Reason reason) {
@@ -53,7 +52,8 @@ std::optional<TipError> worst_miss(const Plan& plan, const std::vector<DisplayMo
       const double time_s = motion.demonstration_time[static_cast<std::size_t>(row)];
       const bool grasping = is_grasping_at(plan.movement, time_s);
       const Tolerances& allowed = plan.tolerances;
-      const double tolerance = grasping ? allowed.tracking_grasp : allowed.tracking;
+      const double tolerance =
+          grasping ? allowed.tracking_tolerance_grasp : allowed.tracking_tolerance;
       for (Eigen::Index tip = 0; tip < motion.tip_error.cols(); ++tip) {
         const TipError miss{time_s, motion.tip_error(row, tip), tolerance,
                             static_cast<std::size_t>(tip), grasping};
@@ -65,7 +65,7 @@ std::optional<TipError> worst_miss(const Plan& plan, const std::vector<DisplayMo
 }
 
 const Finding* deepest_finding(const Plan& plan) {
-  const auto deepest = std::ranges::max_element(plan.findings, {}, &Finding::depth);
+  const auto deepest = std::ranges::max_element(plan.findings, {}, &Finding::excess);
   return deepest == plan.findings.end() ? nullptr : &*deepest;
 }
 
@@ -83,7 +83,7 @@ std::string distance_words(double distance) {
 std::string required_words(double required) {
   return required < 0
              ? fmt::format("{:.2f} mm of overlap is allowed", -kMillimetresPerMetre * required)
-             : fmt::format("{:.2f} mm is asked for", kMillimetresPerMetre * required);
+             : fmt::format("the minimum is {:.2f} mm", kMillimetresPerMetre * required);
 }
 
 std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
@@ -95,17 +95,17 @@ std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
 }
 
 std::string miss_sentence(const robot::Robot& robot, const TipError& miss) {
-  return fmt::format("{} is {:.2f} mm from its goal; {:.2f} mm is allowed {}",
+  return fmt::format("{} is {:.2f} mm from its goal; the tolerance is {:.2f} mm {}",
                      robot.tips[miss.tip].name, kMillimetresPerMetre * miss.error,
                      kMillimetresPerMetre * miss.tolerance,
                      miss.grasping ? "in grasp and hold" : "outside grasp and hold");
 }
 
 std::string finding_sentence(const Finding& finding) {
-  return fmt::format("{}: {}{}{}, {:.4f} {} beyond what is allowed", name_of(finding.cause),
-                     finding.first, finding.second.empty() ? "" : " and ", finding.second,
-                     finding.depth,
-                     finding.cause == Cause::jump || finding.cause == Cause::limit ? "rad" : "m");
+  return fmt::format(
+      "{}: {}{}{}, {:.4f} {} beyond the limit", name_of(finding.cause), finding.subject,
+      finding.other_body.empty() ? "" : " and ", finding.other_body, finding.excess,
+      finding.cause == Cause::jump || finding.cause == Cause::joint_limit ? "rad" : "m");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 /// Counts the fingertip goals of the mapped frames, and those that the robot cannot reach.
 void count_goals(const Plan& plan, BatchSummary& summary) {
-  const JointRows& errors = plan.mapped.position_error;
+  const JointRows& errors = plan.mapped.tip_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
@@ -29,7 +29,7 @@ void count_goals(const Plan& plan, BatchSummary& summary) {
 
 double total_cpu_s(const BatchSummary& summary) {
   double sum = 0;
-  for (const auto& [stage, seconds] : summary.stage_seconds) sum += seconds;
+  for (const auto& [stage, seconds] : summary.stage_cpu_s) sum += seconds;
   return sum;
 }
 
@@ -58,7 +58,7 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
     summary.frames += plan.mapped.position.rows();
     count_goals(plan, summary);
   }
-  summary.stage_seconds = outcome.stage_seconds;
+  summary.stage_cpu_s = outcome.stage_cpu_s;
   return summary;
 }
 
@@ -71,7 +71,7 @@ void add(const BatchSummary& more, BatchSummary& sum) {
   sum.repaired += more.repaired;
   sum.failed += more.failed;
   for (const auto& [reason, count] : more.reasons) sum.reasons[reason] += count;
-  for (const auto& [stage, seconds] : more.stage_seconds) sum.stage_seconds[stage] += seconds;
+  for (const auto& [stage, seconds] : more.stage_cpu_s) sum.stage_cpu_s[stage] += seconds;
   sum.mapped += more.mapped;
   sum.frames += more.frames;
   sum.goals += more.goals;
@@ -119,31 +119,31 @@ std::string summary_sentence(const BatchSummary& summary) {
                                  count_with_noun(summary.movements, "movement"), summary.executable,
                                  summary.repaired, approximate, summary.infeasible, reasons);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
-  if (summary.reused > 0) text += fmt::format("; {} finished before", summary.reused);
+  if (summary.reused > 0) text += fmt::format("; {} reused from an earlier run", summary.reused);
   return text;
 }
 
-double frames_per_second(const BatchSummary& summary) {
+double frames_per_cpu_second(const BatchSummary& summary) {
   const double seconds = total_cpu_s(summary);
   return seconds > 0 ? static_cast<double>(summary.frames) / seconds : 0;
 }
 
-std::map<std::string, double> movement_ms(const BatchSummary& summary) {
+std::map<std::string, double> stage_ms_per_movement(const BatchSummary& summary) {
   std::map<std::string, double> ms;
   if (summary.mapped == 0) return ms;
-  for (const auto& [stage, seconds] : summary.stage_seconds)
+  for (const auto& [stage, seconds] : summary.stage_cpu_s)
     ms[stage] = 1e3 * seconds / static_cast<double>(summary.mapped);
   return ms;
 }
 
 std::string speed_text(const BatchSummary& summary) {
   if (summary.mapped == 0) return "";
-  const std::map<std::string, double> by_stage = movement_ms(summary);
+  const std::map<std::string, double> by_stage = stage_ms_per_movement(summary);
   std::vector<std::pair<std::string, double>> steps(by_stage.begin(), by_stage.end());
   std::ranges::stable_sort(steps, std::ranges::greater{}, &std::pair<std::string, double>::second);
   std::string text =
-      fmt::format("{} planned, {:.0f} for each second of a core; {:.0f} ms a movement",
-                  count_with_noun(summary.frames, "frame"), frames_per_second(summary),
+      fmt::format("{}; {:.0f} frames/s per core; {:.0f} ms per movement",
+                  count_with_noun(summary.frames, "frame"), frames_per_cpu_second(summary),
                   1e3 * total_cpu_s(summary) / static_cast<double>(summary.mapped));
   const char* before = ": ";
   for (const auto& [stage, ms] : steps) {
@@ -162,10 +162,10 @@ std::string summary_json(const BatchSummary& summary) {
                                     {"repaired", summary.repaired},
                                     {"failed", summary.failed},
                                     {"reasons", summary.reasons},
-                                    {"stage_seconds", summary.stage_seconds},
+                                    {"stage_cpu_s", summary.stage_cpu_s},
                                     {"frames", summary.frames},
-                                    {"frames_per_second", frames_per_second(summary)},
-                                    {"movement_ms", movement_ms(summary)},
+                                    {"frames_per_cpu_second", frames_per_cpu_second(summary)},
+                                    {"stage_ms_per_movement", stage_ms_per_movement(summary)},
                                     {"reused", summary.reused}};
   return json.dump(2);
 }

@@ -21,7 +21,7 @@ struct DemonstrationOutcome {
   /// The error, "" unless the demonstration failed.
   std::string error;
   /// The processor time of each stage [s]. It is used for the summary only.
-  std::map<std::string, double> stage_seconds;
+  std::map<std::string, double> stage_cpu_s;
 };
 
 /// The counts over a run, as `morphe run --json` prints them.
@@ -33,7 +33,7 @@ struct BatchSummary {
   /// Number of infeasible movements for each reason.
   std::map<std::string, int> reasons;
   /// The processor time of each stage [s].
-  std::map<std::string, double> stage_seconds;
+  std::map<std::string, double> stage_cpu_s;
   std::int64_t mapped = 0,
                frames = 0;  ///< number of movements that were mapped, and of their frames
   /// Number of fingertip goals over all mapped frames.
@@ -70,10 +70,10 @@ BatchSummary run_batch(const Batch& batch, int jobs);
 std::string summary_sentence(const BatchSummary& summary);
 /// Returns the number of frames of mapped movements per second of processor time of all stages, 0
 /// if there are no such frames.
-double frames_per_second(const BatchSummary& summary);
+double frames_per_cpu_second(const BatchSummary& summary);
 /// Returns the processor time of each stage per mapped movement [ms].
-std::map<std::string, double> movement_ms(const BatchSummary& summary);
-/// Returns "569 frames planned, 323 for each second of a core; 352 ms a movement: map 298, certify
+std::map<std::string, double> stage_ms_per_movement(const BatchSummary& summary);
+/// Returns "569 frames; 323 frames/s per core; 352 ms per movement: map 298, certify
 /// 34", or "" if no movement was mapped. The longest stages come first; stages that round to 0 ms
 /// are left out.
 std::string speed_text(const BatchSummary& summary);

@@ -42,10 +42,11 @@ void Database::checkpoint() { run("PRAGMA journal_mode=DELETE;"); }
 void Database::fail() const {
   const int code = sqlite3_errcode(handle_) & 0xff;
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-    throw InputError(fmt::format("{}: another run is at work in this folder",
+    throw InputError(fmt::format("{}: another run is using this folder",
                                  file_.has_parent_path() ? file_.parent_path().string() : "."));
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
-    throw DamagedDatabase(fmt::format("{}: is damaged, or no journal of a run", file_.string()));
+    throw DamagedDatabase(
+        fmt::format("{}: is damaged or is not a journal of a run", file_.string()));
   fail(fmt::format("cannot be {}: {}", code == SQLITE_CANTOPEN ? "opened" : "read or written",
                    sqlite3_errmsg(handle_)));
 }

@@ -25,7 +25,7 @@ std::string text_of(const store::Hdf5Value& value) {
   constexpr std::size_t kMaxTextLength = 60;
   const std::string text = value.is_text ? fmt::format("{}", fmt::join(value.texts, ","))
                                          : fmt::format("{}", fmt::join(value.numbers, ","));
-  return text.size() > kMaxTextLength || text.find('\n') != std::string::npos ? "another text"
+  return text.size() > kMaxTextLength || text.find('\n') != std::string::npos ? "different text"
                                                                               : "'" + text + "'";
 }
 
@@ -46,7 +46,8 @@ std::size_t compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b
       where = i;
     }
   }
-  if (one_sided > 0) found.change = fmt::format("{} values are NaN in one file alone", one_sided);
+  if (one_sided > 0)
+    found.change = fmt::format("{} values are NaN in only one of the files", one_sided);
   return where;
 }
 
@@ -103,7 +104,7 @@ class Comparison {
                       bool in_a, bool in_b, const std::string& path) {
     if (!in_a || !in_b) return add(path, in_a ? "only in the first" : "only in the second");
     const bool group = a.is_group(name);
-    if (group != b.is_group(name)) return add(path, "a group in one file alone");
+    if (group != b.is_group(name)) return add(path, "a group in only one of the files");
     if (!group) {
       const store::Hdf5Value first = a.value(name);
       compare_values(first, b.value(name), path, [&](std::size_t index, Difference& found) {
@@ -152,7 +153,7 @@ class Comparison {
   template <class Tell>
   void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b, const std::string& path,
                       const Tell& tell) {
-    if (a.is_text != b.is_text) return add(path, "texts in one file alone");
+    if (a.is_text != b.is_text) return add(path, "texts in only one of the files");
     if (a.dims != b.dims)
       return add(path,
                  fmt::format("shape [{}] -> [{}]", fmt::join(a.dims, ","), fmt::join(b.dims, ",")));

@@ -68,18 +68,19 @@ std::string element_location(const store::Hdf5Group& group, const std::string& n
 }
 
 std::string unit_of_attribute(const std::string& name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kUnits{{
-      {"margin", "m"},
-      {"contact_depth", "m"},
-      {"link_depth", "m"},
-      {"tracking", "m"},
-      {"tracking_grasp", "m"},
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kUnits{{
+      {"required_clearance", "m"},
+      {"max_penetration", "m"},
+      {"max_link_penetration", "m"},
+      {"tracking_tolerance", "m"},
+      {"tracking_tolerance_grasp", "m"},
+      {"max_tip_error", "m"},
       {"clearance", "m"},
-      {"position_error_max", "m"},
-      {"position_error_mean", "m"},
-      {"position_error_grasp", "m"},
-      {"position_margin", "rad"},
-      {"start_s", "s"},
+      {"tip_error_max", "m"},
+      {"tip_error_mean", "m"},
+      {"tip_error_grasp", "m"},
+      {"joint_limit_margin", "rad"},
+      {"begin_s", "s"},
       {"end_s", "s"},
       {"humanlikeness_mapped", "m^2"},
       {"humanlikeness_final", "m^2"},

@@ -51,7 +51,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".l
     errno = error;
     if (locked) continue;
     if (error == EAGAIN || error == EACCES)
-      throw InputError(fmt::format("{}: another run is at work in this folder", folder.string()));
+      throw InputError(fmt::format("{}: another run is using this folder", folder.string()));
     break;
   }
   throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));

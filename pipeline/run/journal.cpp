@@ -31,7 +31,7 @@ std::int64_t whole_number(const std::string& text) {
   std::int64_t number = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || end != text.data() + text.size() || number < 0)
-    throw InputError("is no number");
+    throw InputError("is not a number");
   return number;
 }
 
@@ -74,7 +74,7 @@ struct Journal::State {
       close_batch();
   }
   [[noreturn]] void fail_damaged(const std::string& what) const {
-    database.fail(fmt::format("is damaged: {}; --fresh begins anew", what));
+    database.fail(fmt::format("is damaged: {}; plan again with --fresh", what));
   }
   BatchSummary summary(const std::string& name, const std::string& text) const {
     try {
@@ -87,7 +87,7 @@ struct Journal::State {
   template <class Take>
   void read(const char* key, const Take& take) const {
     try {
-      take(about(database, key));
+      take(metadata(database, key));
     } catch (const std::exception&) {
       fail_damaged(fmt::format("its {} cannot be read", key));
     }
@@ -111,7 +111,7 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
     if (!is_empty(state->database) && !fresh) check_journal(state->database);
   } catch (const DamagedDatabase& error) {
     // A file that is not a database cannot be locked by another run.
-    if (!fresh) throw InputError(fmt::format("{}; --fresh begins anew", error.what()));
+    if (!fresh) throw InputError(fmt::format("{}; plan again with --fresh", error.what()));
     std::error_code ignored;
     fs::remove(file, ignored);
     fs::remove(file.string() + "-wal", ignored);
@@ -125,11 +125,12 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
     set_metadata(database, "shard", shard_text(shard));
     database.run("COMMIT");
   }
-  if (const std::string by = about(database, "software"); by != software)
-    database.fail(fmt::format("was written by {}, this is {}; --fresh begins anew", by, software));
-  if (const std::string of = about(database, "shard"); of != shard_text(shard))
+  if (const std::string by = metadata(database, "software"); by != software)
     database.fail(
-        fmt::format("holds shard {}, not {}; --fresh begins anew", of, shard_text(shard)));
+        fmt::format("was written by {}, this is {}; plan again with --fresh", by, software));
+  if (const std::string of = metadata(database, "shard"); of != shard_text(shard))
+    database.fail(
+        fmt::format("contains shard {}, not {}; plan again with --fresh", of, shard_text(shard)));
   return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }
 
@@ -137,7 +138,8 @@ std::unique_ptr<Journal> Journal::read(const fs::path& folder) {
   const fs::path file = folder / kFile;
   std::error_code ignored;
   if (!fs::exists(file, ignored))
-    throw InputError(fmt::format("{}: is missing: not the folder of a run", file.string()));
+    throw InputError(
+        fmt::format("{}: does not exist: this is not the folder of a run", file.string()));
   auto state = std::make_unique<State>(file, DatabaseUse::read);
   check_journal(state->database);
   return std::unique_ptr<Journal>(new Journal(std::move(state)));
@@ -161,23 +163,24 @@ void Journal::begin(
   set_metadata(database, "dataset_key", identity.dataset_label);
   Statement keep(database, "INSERT OR IGNORE INTO configs VALUES(?, ?)");
   keep.bind(1, files::sha256(config)).bind(2, config).run();
-  database.run("DELETE FROM wanted");
-  Statement insert(database, "INSERT INTO wanted VALUES(?, ?)");
-  std::int64_t wanted = 0;
+  database.run("DELETE FROM scheduled");
+  Statement insert(database, "INSERT INTO scheduled VALUES(?, ?)");
+  std::int64_t scheduled = 0;
   each_wanted([&](const DatasetEntry& place) {
     insert.bind(1, place.position).bind(2, place.name).run();
-    ++wanted;
+    ++scheduled;
   });
-  set_metadata(database, "wanted", std::to_string(wanted));
+  set_metadata(database, "scheduled", std::to_string(scheduled));
   state_->close_batch();
   state_->position = -1;
 }
 
 std::optional<FinishedDemonstration> Journal::find(const std::string& name) const {
   const std::lock_guard lock(state_->mutex);
-  Statement select(state_->database,
-                   "SELECT input, config, robot, scene, program, dataset, error, summary FROM done "
-                   "WHERE name = ?");
+  Statement select(
+      state_->database,
+      "SELECT input, config, robot, scene, program, dataset, error, summary FROM results "
+      "WHERE name = ?");
   if (!select.bind(1, name).step()) return std::nullopt;
   FinishedDemonstration found;
   found.name = name;
@@ -208,11 +211,11 @@ void Journal::add(const FinishedDemonstration& finished) {
     insert.bind(4, plan.table_rows).bind_bytes(5, plan.bytes).run();
     state_->batch_bytes += plan.bytes.size();
   }
-  Statement done(database, "INSERT OR REPLACE INTO done VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement result(database, "INSERT OR REPLACE INTO results VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
   const Fingerprint& print = finished.fingerprint;
-  done.bind(1, finished.name).bind(2, print.input).bind(3, print.config).bind(4, print.robot);
-  done.bind(5, print.scene).bind(6, print.program).bind(7, finished.dataset);
-  done.bind(8, finished.error).bind(9, serialize_summary(finished.summary)).run();
+  result.bind(1, finished.name).bind(2, print.input).bind(3, print.config).bind(4, print.robot);
+  result.bind(5, print.scene).bind(6, print.program).bind(7, finished.dataset);
+  result.bind(8, finished.error).bind(9, serialize_summary(finished.summary)).run();
   ++state_->batch;
   state_->close_batch_if_full();
 }
@@ -220,7 +223,7 @@ void Journal::add(const FinishedDemonstration& finished) {
 void Journal::set_dataset_hash(const std::string& name, const std::string& dataset) {
   const std::lock_guard lock(state_->mutex);
   state_->open_batch();
-  Statement update(state_->database, "UPDATE done SET dataset = ? WHERE name = ?");
+  Statement update(state_->database, "UPDATE results SET dataset = ? WHERE name = ?");
   update.bind(1, dataset).bind(2, name).run();
   ++state_->batch;
   state_->close_batch_if_full();
@@ -234,8 +237,8 @@ void Journal::commit() {
 void Journal::each_result(const std::function<void(const std::string&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
   Statement select(state_->database,
-                   "SELECT w.name FROM wanted w CROSS JOIN done d ON d.name = w.name "
-                   "WHERE d.error = '' ORDER BY w.position");
+                   "SELECT s.name FROM scheduled s CROSS JOIN results r ON r.name = s.name "
+                   "WHERE r.error = '' ORDER BY s.position");
   while (select.step()) visit(select.text(0));
 }
 
@@ -243,8 +246,8 @@ void Journal::mark_complete() {
   const std::lock_guard lock(state_->mutex);
   state_->open_batch();
   state_->database.run(
-      "DELETE FROM configs WHERE sha256 NOT IN (SELECT config FROM done)"
-      "  AND sha256 <> (SELECT CAST(value AS TEXT) FROM about WHERE key = 'config');");
+      "DELETE FROM configs WHERE sha256 NOT IN (SELECT config FROM results)"
+      "  AND sha256 <> (SELECT CAST(value AS TEXT) FROM metadata WHERE key = 'config');");
   set_metadata(state_->database, "complete", "1");
   state_->close_batch();
   state_->database.checkpoint();
@@ -252,19 +255,19 @@ void Journal::mark_complete() {
 
 bool Journal::is_complete() const {
   const std::lock_guard lock(state_->mutex);
-  return about(state_->database, "complete") == "1";
+  return metadata(state_->database, "complete") == "1";
 }
 
 RunIdentity Journal::identity() const {
   const std::lock_guard lock(state_->mutex);
   const Database& database = state_->database;
   RunIdentity identity;
-  identity.software = about(database, "software");
-  identity.dataset_label = about(database, "dataset_key");
-  identity.program = about(database, "program");
-  identity.scene = about(database, "scene");
+  identity.software = metadata(database, "software");
+  identity.dataset_label = metadata(database, "dataset_key");
+  identity.program = metadata(database, "program");
+  identity.scene = metadata(database, "scene");
   state_->read("shard", [&](const std::string& text) { identity.shard = parse_shard(text); });
-  const std::string header = about(database, "header");
+  const std::string header = metadata(database, "header");
   if (header.empty()) return identity;  // the run was killed before it began
   state_->read("demonstrations",
                [&](const std::string& text) { identity.demonstrations = whole_number(text); });
@@ -279,40 +282,40 @@ RunIdentity Journal::identity() const {
 /// Returns the fingerprint of the last written plans: those of the run before if the current run is
 /// still active or was killed before it wrote its own.
 std::string Journal::current_plans_fingerprint() const {
-  const std::string kept = about(state_->database, "plans");
-  const std::string header = about(state_->database, "header");
-  if (header.empty() || about(state_->database, "complete") != "1") return kept;
+  const std::string kept = metadata(state_->database, "plans");
+  const std::string header = metadata(state_->database, "header");
+  if (header.empty() || metadata(state_->database, "complete") != "1") return kept;
   return header_fingerprint(header);
 }
 
 bool Journal::owns_plans(const std::string& print) const {
   const std::lock_guard lock(state_->mutex);
-  const std::string header = about(state_->database, "header");
+  const std::string header = metadata(state_->database, "header");
   if (print.empty() || header.empty()) return false;
-  return print == header_fingerprint(header) || print == about(state_->database, "plans");
+  return print == header_fingerprint(header) || print == metadata(state_->database, "plans");
 }
 
 std::int64_t Journal::scheduled_count() const {
   const std::lock_guard lock(state_->mutex);
-  const std::int64_t found = state_->count("SELECT count(*) FROM wanted");
+  const std::int64_t found = state_->count("SELECT count(*) FROM scheduled");
   const std::string written =
-      about(state_->database, "wanted");  // absent in journals of earlier versions
+      metadata(state_->database, "scheduled");  // absent in journals of earlier versions
   if (!written.empty() && written != std::to_string(found))
-    state_->fail_damaged(fmt::format("{} of {} demonstrations are there", found, written));
+    state_->fail_damaged(fmt::format("only {} of {} demonstrations found", found, written));
   return found;
 }
 
 std::int64_t Journal::unfinished_count() const {
   const std::lock_guard lock(state_->mutex);
   return state_->count(
-      "SELECT count(*) FROM wanted WHERE name NOT IN (SELECT name FROM done WHERE"
-      " config = (SELECT CAST(value AS TEXT) FROM about WHERE key = 'config') AND"
-      " program = (SELECT CAST(value AS TEXT) FROM about WHERE key = 'program'))");
+      "SELECT count(*) FROM scheduled WHERE name NOT IN (SELECT name FROM results WHERE"
+      " config = (SELECT CAST(value AS TEXT) FROM metadata WHERE key = 'config') AND"
+      " program = (SELECT CAST(value AS TEXT) FROM metadata WHERE key = 'program'))");
 }
 
 bool Journal::has_results() const {
   const std::lock_guard lock(state_->mutex);
-  return state_->count("SELECT EXISTS(SELECT 1 FROM done WHERE error = '')") != 0;
+  return state_->count("SELECT EXISTS(SELECT 1 FROM results WHERE error = '')") != 0;
 }
 
 std::optional<DatasetEntry> Journal::next() {
@@ -320,7 +323,7 @@ std::optional<DatasetEntry> Journal::next() {
   const std::lock_guard lock(state_->mutex);
   Statement select(
       state_->database,
-      "SELECT position, name FROM wanted WHERE position > ? ORDER BY position LIMIT 1");
+      "SELECT position, name FROM scheduled WHERE position > ? ORDER BY position LIMIT 1");
   if (!select.bind(1, state_->position).step()) return std::nullopt;
   state_->position = select.number(0);
   return DatasetEntry{state_->position, select.text(1)};
@@ -330,9 +333,9 @@ void Journal::each_plan(
     const std::string& name,
     const std::function<void(const FinishedDemonstration::StoredPlan&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
-  Statement done(state_->database, "SELECT summary FROM done WHERE name = ?");
+  Statement result(state_->database, "SELECT summary FROM results WHERE name = ?");
   const std::int64_t written =
-      done.bind(1, name).step() ? state_->summary(name, done.text(0)).movements : 0;
+      result.bind(1, name).step() ? state_->summary(name, result.text(0)).movements : 0;
   Statement select(
       state_->database,
       "SELECT rows, bytes, sha256, number FROM plans WHERE demonstration = ? ORDER BY number");
@@ -345,16 +348,17 @@ void Journal::each_plan(
     visit(plan);
   }
   if (found != written)
-    state_->fail_damaged(fmt::format("{}: {} of {} plans are there", name, found, written));
+    state_->fail_damaged(fmt::format("{}: only {} of {} plans found", name, found, written));
 }
 
 void Journal::fail_damaged(const std::string& what) const { state_->fail_damaged(what); }
 
 BatchSummary Journal::summary() const {
   const std::lock_guard lock(state_->mutex);
-  Statement select(state_->database,
-                   "SELECT d.summary, d.name FROM wanted w CROSS JOIN done d ON d.name = w.name "
-                   "ORDER BY w.position");
+  Statement select(
+      state_->database,
+      "SELECT r.summary, r.name FROM scheduled s CROSS JOIN results r ON r.name = s.name "
+      "ORDER BY s.position");
   BatchSummary sum;
   while (select.step()) run::add(state_->summary(select.text(1), select.text(0)), sum);
   return sum;
@@ -363,8 +367,8 @@ BatchSummary Journal::summary() const {
 void Journal::each_row(const std::function<void(const std::string&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
   Statement select(state_->database,
-                   "SELECT p.rows FROM wanted w CROSS JOIN plans p ON p.demonstration = w.name "
-                   "ORDER BY w.position, p.number");
+                   "SELECT p.rows FROM scheduled s CROSS JOIN plans p ON p.demonstration = s.name "
+                   "ORDER BY s.position, p.number");
   while (select.step()) visit(select.text(0));
 }
 

@@ -16,7 +16,7 @@ bool is_empty(const Database& database);
 void check_journal(const Database& database);
 
 /// Returns the value of a row of `about`, "" if there is no such row.
-std::string about(const Database& database, const std::string& key);
+std::string metadata(const Database& database, const std::string& key);
 /// Writes a row of `about`.
 void set_metadata(const Database& database, const std::string& key, const std::string& value);
 

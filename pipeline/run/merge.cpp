@@ -41,19 +41,19 @@ void raise_open_file_limit() {
 /// Describes the difference of a shard from the first, "" if both belong to the same run.
 std::string difference(const RunIdentity& first, const RunIdentity& other) {
   if (other.shard.count != first.shard.count)
-    return fmt::format("is shard {} of another division, not one of {}", shard_text(other.shard),
+    return fmt::format("is shard {}, but the run has {} shards", shard_text(other.shard),
                        first.shard.count);
   if (other.software != first.software)
     return fmt::format("was written by {}, not {}", other.software, first.software);
   if (other.program != first.program) return "was written by another build of morphe";
   if (other.header.config != first.header.config)
-    return fmt::format("is of another config: {}",
+    return fmt::format("has another config: {}",
                        fmt::join(config_changes(first.header.config, other.header.config), ", "));
-  if (other.header.dataset_sha256 != first.header.dataset_sha256) return "is of another dataset";
-  if (other.scene != first.scene) return "is of another scene";
-  if (store::bytes_of(other.robot) != store::bytes_of(first.robot)) return "is of another robot";
+  if (other.header.dataset_sha256 != first.header.dataset_sha256) return "has another dataset";
+  if (other.scene != first.scene) return "has another scene";
+  if (store::bytes_of(other.robot) != store::bytes_of(first.robot)) return "has another robot";
   if (store::bytes_of(other.header) != store::bytes_of(first.header))
-    return "is of configs that differ in their text";
+    return "has configs with different text";
   return "";
 }
 
@@ -77,20 +77,20 @@ void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
     const std::string name = shard.folder.string();
     const RunIdentity identity = shard.journal->identity();
     if (identity.header.software.empty()) {
-      complaints.add(fmt::format("{}: shard {} never began", name, shard_text(shard.shard)));
+      complaints.add(fmt::format("{}: shard {} was never started", name, shard_text(shard.shard)));
     } else if (const std::string wrong = difference(first, identity); !wrong.empty()) {
       complaints.add(fmt::format("{}: {}", name, wrong));
       continue;
     } else if (const std::int64_t left = shard.journal->unfinished_count();
                left > 0 || !shard.journal->is_complete()) {
-      complaints.add(fmt::format("{}: shard {} is not finished: {} of {} are left", name,
-                                 shard_text(shard.shard), left,
-                                 count_with_noun(shard.journal->scheduled_count(), "demonstration")));
+      complaints.add(
+          fmt::format("{}: shard {} is not finished: {} of {} left", name, shard_text(shard.shard),
+                      left, count_with_noun(shard.journal->scheduled_count(), "demonstration")));
     }
     shard.journal->scheduled_count();  // throws if entries are missing
     const auto [place, is_new] = found.emplace(shard.shard.index, shard.folder);
     if (!is_new)
-      complaints.add(fmt::format("{}: shard {} is there twice, in {} too", name,
+      complaints.add(fmt::format("{}: shard {} was given twice, also as {}", name,
                                  shard_text(shard.shard), place->second.string()));
   }
   std::vector<int> missing;
@@ -127,8 +127,9 @@ void visit_in_dataset_order(std::vector<OpenShard>& shards, std::int64_t count,
   for (std::size_t i = 0; i < shards.size(); ++i) advance(i);
   for (std::int64_t expected = 0; expected < count; ++expected) {
     if (heads.empty() || heads.top().first != expected)
-      throw InputError(fmt::format(
-          "merge: demonstration {} of the dataset is in no shard, or in two", expected + 1));
+      throw InputError(
+          fmt::format("merge: demonstration {} of the dataset is in none of the shards, or in two",
+                      expected + 1));
     const std::size_t i = heads.top().second;
     heads.pop();
     visit(*shards[i].journal, names[i]);
@@ -149,8 +150,8 @@ BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   check(shards, first);
   if (fs::exists(plans) && plans_fingerprint(plans) != plans_fingerprint(first.header))
     throw InputError(
-        fmt::format("{}: is of another run, and would be replaced: move it away, or "
-                    "give another --out",
+        fmt::format("{}: belongs to another run and would be replaced: move it elsewhere, or give "
+                    "another --out",
                     plans.string()));
   store::PlanWriter writer(plans, first.header, first.robot);
   visit_in_dataset_order(

@@ -9,7 +9,7 @@ namespace morphe::run {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
-  if (path_.empty()) throw InputError("--out: names no folder");
+  if (path_.empty()) throw InputError("--out: is not a folder name");
   std::error_code error;
   for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
        at = at.parent_path()) {
@@ -18,7 +18,7 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   fs::create_directories(path_, error);
   if (error || !fs::is_directory(path_)) {
     remove_made();
-    throw InputError(fmt::format("{}: cannot be made a folder", path_.string()));
+    throw InputError(fmt::format("{}: the folder cannot be created", path_.string()));
   }
 }
 

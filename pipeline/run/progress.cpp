@@ -21,8 +21,8 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, const Run
   const double each_s = seconds_per_demonstration(work);
   if (std::isfinite(each_s) && each_s > 0) {
     const double rate = work.jobs / each_s;
-    text += rate >= 1 ? fmt::format(", {:.1f} a second", rate)
-                      : fmt::format(", {:.1f} a minute", 60 * rate);
+    text += rate >= 1 ? fmt::format(", {:.1f} per second", rate)
+                      : fmt::format(", {:.1f} per minute", 60 * rate);
     text += fmt::format(", {} left", duration_text(time_left_s(work)));
   }
   text += fmt::format(": {} executable ({} repaired), ", sum.executable, sum.repaired);
@@ -81,8 +81,9 @@ void Progress::add_result(const std::string& demonstration, const BatchSummary& 
   add(summary, sum_);
   const bool each = !status_.on_terminal() || detail_ == Verbosity::verbose;
   if (detail_ != Verbosity::quiet && (each || !error.empty())) {
-    status_.print(fmt::format("[{}/{}] {}: {}", sum_.demonstrations, total_, demonstration,
-                              error.empty() ? count_with_noun(summary.movements, "movement") : error));
+    status_.print(
+        fmt::format("[{}/{}] {}: {}", sum_.demonstrations, total_, demonstration,
+                    error.empty() ? count_with_noun(summary.movements, "movement") : error));
   }
   show(sum_.demonstrations == total_);
 }
@@ -90,7 +91,9 @@ void Progress::add_result(const std::string& demonstration, const BatchSummary& 
 void Progress::line(const std::string& text) { status_.print(text); }
 
 void Progress::announce_stop() {
-  status_.print("finishing what is in hand; again to stop now (what is finished is kept)");
+  status_.print(
+      "finishing the demonstrations in progress; interrupt again to stop now (finished ones are "
+      "kept)");
   const std::lock_guard lock(mutex_);
   stopping_ = true;
 }
@@ -122,7 +125,7 @@ std::string Progress::text() const {
   const auto in_hand = static_cast<std::int64_t>(running_.size());
   work.waiting =
       stopping_ ? 0 : std::max<std::int64_t>(0, total_ - sum_.reused - work.finished - in_hand);
-  std::string text = stopping_ ? "finishing what is in hand: " : "";
+  std::string text = stopping_ ? "finishing the demonstrations in progress: " : "";
   text += progress_text(sum_, total_, work);
   if (longest_s < kLongRunning_s) return text;
   return text + fmt::format("; {} for {}", longest, duration_text(longest_s));

@@ -62,7 +62,7 @@ class Progress {
   std::thread ticking_;
 };
 
-/// Returns the text of the progress line: "37 of 100, 12.3 a minute, 5 min left: 30 executable (2
+/// Returns the text of the progress line: "37 of 100, 12.3 per minute, 5 min left: 30 executable (2
 /// repaired), 4 infeasible, 1 failed". Rate and remaining time are left out before the first
 /// demonstration is finished.
 std::string progress_text(const BatchSummary& sum, std::int64_t total, const RunWorkload& work);

@@ -47,7 +47,7 @@ class Run {
     dataset = files::sha256_of_file(request_.dataset);
     if (!request_.expected_dataset.empty() && request_.expected_dataset != dataset)
       throw InputError(
-          fmt::format("{}: is not the dataset of these plans: its SHA-256 is {}, not {}",
+          fmt::format("{}: is not the dataset of these plans: SHA-256 is {}, expected {}",
                       request_.dataset.string(), dataset, request_.expected_dataset));
     fingerprint_.config = files::sha256(request_.config);
     fingerprint_.robot = files::sha256(store::bytes_of(identity.robot));
@@ -118,15 +118,15 @@ class Run {
     }
     const std::string folder = request_.plans.parent_path().string();
     if (!same)
-      throw InputError(fmt::format(
-          "{}: holds plans of another dataset ({}), which would be replaced: give another --out, "
-          "or --fresh to replace them",
-          folder, sample_names(before)));
+      throw InputError(
+          fmt::format("{}: contains plans of another dataset ({}) that would be replaced: give "
+                      "another --out, or --fresh to replace them",
+                      folder, sample_names(before)));
     if (gone.empty()) return;
-    progress_.line(fmt::format(
-        "{}: {} demonstration{} no longer in the dataset ({}): the plans leave plans.h5 and are "
-        "kept for when they come back",
-        folder, gone.size(), gone.size() == 1 ? " is" : "s are", sample_names(gone)));
+    progress_.line(
+        fmt::format("{}: {} demonstration{} no longer in the dataset ({}): their plans are removed "
+                    "from plans.h5, but kept in the journal in case they return",
+                    folder, gone.size(), gone.size() == 1 ? " is" : "s are", sample_names(gone)));
   }
 
   bool is_unchanged(const std::string& name) {
@@ -168,7 +168,7 @@ class Run {
     std::unique_ptr<Task> task;
     if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
     if (found && task && found->fingerprint.input != task->input)
-      why.push_back("its recording changed");
+      why.push_back("the recording changed");
     if (found && why.empty()) {
       if (task) journal_.set_dataset_hash(place->name, dataset());
       ++readable_;
@@ -176,7 +176,7 @@ class Run {
       task->previous_result = found;
       return task;
     }
-    if (!found) why.push_back("not done before");
+    if (!found) why.push_back("not planned before");
     task->plan_reason = fmt::format("{}", fmt::join(why, "; "));
     return task;
   }
@@ -186,12 +186,12 @@ class Run {
   std::vector<std::string> replan_reasons(const std::optional<FinishedDemonstration>& found) {
     std::vector<std::string> why;
     if (!found) return why;
-    if (!found->error.empty()) why.push_back("it failed: " + found->error);
+    if (!found->error.empty()) why.push_back("it failed before: " + found->error);
     if (found->fingerprint.config != fingerprint_.config)
       why.push_back("the config changed: " + changes_since(found->fingerprint.config));
     if (found->fingerprint.robot != fingerprint_.robot) why.push_back("the robot changed");
     if (found->fingerprint.scene != fingerprint_.scene) why.push_back("the scene changed");
-    if (found->fingerprint.program != fingerprint_.program) why.push_back("morphe was built anew");
+    if (found->fingerprint.program != fingerprint_.program) why.push_back("morphe was rebuilt");
     return why;
   }
 

@@ -23,10 +23,10 @@ void RunFolder::expect_own_plans() const {
   const fs::path plans = folder_.path() / "plans.h5";
   if (fresh_ || !fs::exists(plans)) return;
   if (journal_was_there_ && journal_->owns_plans(plans_fingerprint(plans))) return;
-  throw InputError(fmt::format(
-      "{}: is not of the journal in this folder, and would be replaced: move it away, give another "
-      "--out, or --fresh to replace it",
-      plans.string()));
+  throw InputError(
+      fmt::format("{}: was not written by the run of this folder and would be replaced: move it "
+                  "elsewhere, give another --out, or --fresh to replace it",
+                  plans.string()));
 }
 
 RunFolder::~RunFolder() {

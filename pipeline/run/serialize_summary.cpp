@@ -15,7 +15,7 @@ std::string serialize_summary(const BatchSummary& s) {
                         {"repaired", s.repaired},
                         {"failed", s.failed},
                         {"reasons", s.reasons},
-                        {"stage_seconds", s.stage_seconds},
+                        {"stage_cpu_s", s.stage_cpu_s},
                         {"mapped", s.mapped},
                         {"frames", s.frames},
                         {"goals", s.goals},
@@ -35,13 +35,13 @@ BatchSummary deserialize_summary(const std::string& text) {
     json.at("repaired").get_to(s.repaired);
     json.at("failed").get_to(s.failed);
     json.at("reasons").get_to(s.reasons);
-    json.at("stage_seconds").get_to(s.stage_seconds);
+    json.at("stage_cpu_s").get_to(s.stage_cpu_s);
     s.mapped = json.value("mapped", std::int64_t{0});  // absent there as well
     s.frames = json.value("frames", std::int64_t{0});
     json.at("goals").get_to(s.goals);
     json.at("out_of_reach").get_to(s.out_of_reach);
   } catch (const nlohmann::json::exception&) {
-    throw InputError("is no summary of a demonstration");
+    throw InputError("is not a summary of a demonstration");
   }
   return s;
 }

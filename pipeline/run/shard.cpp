@@ -27,7 +27,7 @@ int from_environment(const char* name) {
   int number = 0;
   if (!text || !parse_number(text, number))
     throw InputError(
-        fmt::format("--shard slurm: {} is not set to a number: not in a job array", name));
+        fmt::format("--shard slurm: {} is not set to a number; run it in a job array", name));
   return number;
 }
 
@@ -38,7 +38,7 @@ Shard slurm_shard() {
   const int count = from_environment("SLURM_ARRAY_TASK_COUNT");
   if (most - least + 1 != count)
     throw InputError(fmt::format(
-        "--shard slurm: the array {}-{} has {} tasks: it must have no gaps", least, most, count));
+        "--shard slurm: the array {}-{} has {} tasks; it must not have gaps", least, most, count));
   return {id - least + 1, count};
 }
 

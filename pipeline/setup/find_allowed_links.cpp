@@ -69,7 +69,7 @@ struct Sampler {
     for (const int first : capsules.at(one)) {
       for (const int second : capsules.at(other)) {
         const std::array<int, 2> pair = {std::min(first, second), std::max(first, second)};
-        if (!std::ranges::binary_search(robot.allowed_pairs, pair)) return false;
+        if (!std::ranges::binary_search(robot.allowed_collision_pairs, pair)) return false;
       }
     }
     return true;

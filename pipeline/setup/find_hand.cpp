@@ -176,7 +176,7 @@ std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called
     const auto link = robot.model->links.find(called);
     if (link == robot.model->links.end()) {
       throw InputError(
-          fmt::format("{}: there is no link '{}'", robot.model->file.string(), called));
+          fmt::format("{}: link '{}' does not exist", robot.model->file.string(), called));
     }
     roots = {link->second};
   } else {
@@ -186,7 +186,7 @@ std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called
   if (roots.size() > 1) {
     std::vector<std::string> names;
     for (const int root : roots) names.push_back(robot.link[static_cast<std::size_t>(root)]);
-    throw InputError(fmt::format("{}: has {} hands, at {}: name one by --hand LINK",
+    throw InputError(fmt::format("{}: has {} hands, at {}: select one with --hand LINK",
                                  robot.model->file.string(), roots.size(), fmt::join(names, ", ")));
   }
   Hand hand;

@@ -83,7 +83,7 @@ int middle_joint(const Kinematics& robot, const Finger& finger) {
   const Vec3 last = robot.axis(finger.frames.back()).direction;
   std::vector<int> hinges;
   for (const int f : finger.frames) {
-    if (robot.frame(f).slides) continue;
+    if (robot.frame(f).prismatic) continue;
     if (std::abs(robot.axis(f).direction.dot(last)) < kMinAxisCosine) continue;
     const Vec3 here = robot.pose(f).translation();
     if (!hinges.empty() && (robot.pose(hinges.back()).translation() - here).norm() < 1e-4)

@@ -45,7 +45,7 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
   for (const RobotModel::Frame& frame : table.frames) {
     if (frame.joint < 0 || seen[static_cast<std::size_t>(frame.joint)]) continue;
     seen[static_cast<std::size_t>(frame.joint)] = true;
-    slides[static_cast<std::size_t>(frame.joint)] = frame.slides;
+    slides[static_cast<std::size_t>(frame.joint)] = frame.prismatic;
   }
   const PublishedArm* arm = find_published_arm(robot);
   const std::vector<int> seven = seven_joints(robot);

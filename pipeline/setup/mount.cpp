@@ -99,7 +99,8 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
   // Without a hand, the wrist of the arm is its end; with a hand, it is a joint like the others.
   const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotModel::Frame::name);
   if (wrist != arm.table.frames.end()) {
-    sections.push_back({"centres", "centres:\n  - {chain: arm, frame: wrist_centre}\n"});
+    sections.push_back(
+        {"joint_centres", "joint_centres:\n  - {chain: arm, frame: wrist_centre}\n"});
   }
   if (!collision.empty()) sections.push_back({"collision", collision});
   SetupResult result;
@@ -109,9 +110,10 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
       "made anew\n# each time, unless somebody changed it: then it stays as it is.\n" +
       (before ? merge_sections(sections, *before, kept) : join_sections(sections));
   if (!kept.empty())
-    result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
+    result.notes.push_back(fmt::format("kept because edited: {}", fmt::join(kept, ", ")));
   if (!request.mount)
-    result.to_check.push_back("mount of the hand: assumed (--mount X Y Z ROLL PITCH YAW)");
+    result.to_check.push_back(
+        "mount of the hand: assumed (set it with --mount X Y Z ROLL PITCH YAW)");
   (void)robot::parse_robot(result.text, request.out);
   return result;
 }

@@ -75,8 +75,8 @@ UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, 
     }
     if (!found.has_arm()) {
       throw InputError(
-          fmt::format("{}: has neither a hand (fingers that part from one link) nor an arm "
-                      "(three joints one after the other)",
+          fmt::format("{}: contains neither a hand (fingers that branch from one link) nor an arm "
+                      "(three consecutive joints)",
                       request.urdf.string()));
     }
     found.flange = find_flange(robot, found.arm);
@@ -104,9 +104,11 @@ std::string urdf_section(const UrdfAnalysis& found, const SetupRequest& request,
     text += fmt::format("acceleration: {}, jerk: {}", yaml_number(own.acceleration),
                         yaml_number(own.jerk));
     if (own.braking) {
-      text += fmt::format(", braking: {{slope: {}, drop: {}, lower_end: {}, upper_end: {}}}",
-                          yaml_number(own.braking->slope), yaml_number(own.braking->drop),
-                          yaml_number(own.braking->lower_end), yaml_number(own.braking->upper_end));
+      text += fmt::format(
+          ", braking: {{twice_deceleration: {}, velocity_offset: {}, lower_end: {}, upper_end: "
+          "{}}}",
+          yaml_number(own.braking->twice_deceleration), yaml_number(own.braking->velocity_offset),
+          yaml_number(own.braking->lower_end), yaml_number(own.braking->upper_end));
     }
     text += fmt::format("}}  # {}{}\n", own.source.empty() ? "assumed: 3 v, 50 a" : own.source,
                         own.lower || own.velocity ? "; what the URDF lacks assumed" : "");
@@ -208,14 +210,14 @@ std::string centres_section(const UrdfAnalysis& found) {
                           yaml_name(found.link(middle)));
     }
   }
-  return text.empty() ? "" : "centres:\n" + text;
+  return text.empty() ? "" : "joint_centres:\n" + text;
 }
 
 std::string natural_section(const UrdfAnalysis& found) {
   if (!found.hand) return "";
   const std::vector<robot::NaturalJoint> natural = natural_posture(found.robot, *found.hand);
   if (natural.empty()) return "";
-  std::string text = "natural:  # what fingers do that have no goal\n";
+  std::string text = "natural_posture:  # what fingers do that have no goal\n";
   for (const robot::NaturalJoint& joint : natural) {
     text += fmt::format("  - {{joint: {}", yaml_name(joint.joint));
     if (!joint.follow.empty()) text += fmt::format(", follow: {}", yaml_name(joint.follow));
@@ -284,14 +286,14 @@ void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits
         fmt::format("fingers: {}; a {} hand", fmt::join(fingers, ", "), name_of(found.hand->side)));
     for (std::size_t i = 0; i < found.pads.size(); ++i) {
       if (found.pads[i].sure != Provenance::assumed) continue;
-      check.push_back(fmt::format("tip of {}: nothing says where the finger ends",
+      check.push_back(fmt::format("tip of {}: the end of the finger is unknown",
                                   found.finger_name(found.hand->fingers[i])));
     }
   }
   if (found.centres && found.centres->shoulder.sure == Provenance::assumed)
-    check.push_back("shoulder: the first axes meet nowhere");
+    check.push_back("shoulder: the first joint axes do not intersect");
   if (found.centres && found.centres->wrist.sure == Provenance::assumed)
-    check.push_back("wrist: no two of the last axes meet");
+    check.push_back("wrist: the last joint axes do not intersect");
   const auto assumed = std::ranges::count(limits, Provenance::assumed, &JointLimits::sure);
   if (assumed > 0)
     check.push_back(fmt::format("acceleration and jerk of {} assumed",
@@ -301,23 +303,23 @@ void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits
     if (pad.tip_beyond_shapes) beyond.push_back(found.link(pad.frame));
   }
   if (!beyond.empty()) {
-    check.push_back(
-        fmt::format("shapes of {} end before the file's tips: the rest of these fingers is assumed",
-                    fmt::join(beyond, ", ")));
+    check.push_back(fmt::format(
+        "shapes of {} end before the fingertips of the URDF: the rest of these fingers is assumed",
+        fmt::join(beyond, ", ")));
   }
   if (!found.placeholder_shape_links.empty()) {
-    check.push_back(
-        fmt::format("shapes of {} in which the pads lie are left out: they would stand "
-                    "for the fingers, which have their own",
-                    fmt::join(found.placeholder_shape_links, ", ")));
+    check.push_back(fmt::format(
+        "shapes of {} that contain the finger pads are skipped: the fingers have their own shapes",
+        fmt::join(found.placeholder_shape_links, ", ")));
   }
   std::vector<std::string> bones;
   for (const LinkCapsules& link : found.capsules) {
     if (link.sure == Provenance::assumed) bones.push_back(found.link(link.frame));
   }
   if (!bones.empty()) {
-    check.push_back(fmt::format("shapes of {} are assumed: bones as thick as their inertia says",
-                                fmt::join(bones, ", ")));
+    check.push_back(
+        fmt::format("shapes of {} are assumed: capsules with the thickness of the link's inertia",
+                    fmt::join(bones, ", ")));
   }
 }
 
@@ -340,8 +342,8 @@ SetupResult make_description(const SetupRequest& request,
       {"chains", chains_section(found)},
       {"frames", frames_section(found)},
       {"tips", tips_section(found)},
-      {"centres", centres_section(found)},
-      {"natural", natural_section(found)},
+      {"joint_centres", centres_section(found)},
+      {"natural_posture", natural_section(found)},
   };
   if (found.hand && found.hand->side == Side::left) sections.push_back({"side", "side: left\n"});
   std::erase_if(sections, [](const Section& section) { return section.text.empty(); });
@@ -358,7 +360,7 @@ SetupResult make_description(const SetupRequest& request,
       request.urdf.filename().string(),
       before ? merge_sections(sections, *before, kept) : join_sections(sections));
   if (!kept.empty())
-    result.notes.push_back(fmt::format("kept as changed: {}", fmt::join(kept, ", ")));
+    result.notes.push_back(fmt::format("kept because edited: {}", fmt::join(kept, ", ")));
   result.points =
       shapes.points;  // valid because the frames of the URDF come first in the description
   add_items_to_check(found, limits, result);

@@ -99,15 +99,15 @@ struct Reader {
     }
     const double extent = (most - least).maxCoeff();
     if (extent < 5 && extent > 0.001) return;
-    note(fmt::format("{}: is {:.4g} m long: is its scale right?", file.string(), extent));
+    note(fmt::format("{}: is {:.4g} m long; check its scale", file.string(), extent));
   }
 
   bool read_mesh(const UrdfShape& shape, SceneObject& mesh) {
     const fs::path file = resolve_mesh_path(robot.model->file, shape.mesh, places);
     if (file.empty() || !fs::exists(file)) {
       note(
-          fmt::format("{}: mesh '{}' is missing: no shape of it is known (--package NAME=DIR says "
-                      "where a package is)",
+          fmt::format("{}: mesh '{}' not found, so the link has no shape (give the folder of a "
+                      "package with --package NAME=DIR)",
                       robot.model->file.string(), shape.mesh));
       return false;
     }

@@ -154,7 +154,7 @@ std::vector<AngleAgreement> compare_with_angle_file(const Demonstration& demonst
   const files::CsvText csv = files::read_csv(file);
   const Angles elbow = resample(motion.time, elbow_flexion(motion));
   if (read_column(csv, kElbow).size() > elbow.size()) {
-    throw InputError(fmt::format("{}: is longer than the recording", file.string()));
+    throw InputError(fmt::format("{}: has more rows than the recording", file.string()));
   }
   const std::size_t begin = find_alignment(csv, motion, elbow);
   std::vector<AngleAgreement> all;

@@ -28,7 +28,7 @@ RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& p
     touch.tip = tip;
     const PadContact contact = grasp::measure_contacts(world, {touch}, q, time_s).front();
     finger.contact_point = contact.point;
-    finger.gap = contact.gap;
+    finger.gap = contact.signed_distance;
     finger.pad_angle = contact.pad_angle;
   }
   std::vector<Pose> frames;
@@ -40,7 +40,8 @@ RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& p
   if (centre != robot.tip_of_centre.end()) {
     const auto k = static_cast<std::size_t>(centre - robot.tip_of_centre.begin());
     finger.middle_joint =
-        object_from_base * frames[static_cast<std::size_t>(robot.centres[k].frame)].translation();
+        object_from_base *
+        frames[static_cast<std::size_t>(robot.joint_centres[k].frame)].translation();
   }
   return finger;
 }
@@ -85,7 +86,8 @@ Penetration deepest_penetration(const collision::CollisionWorld& world,
 std::optional<std::size_t> tip_of_finger(const RobotModel& robot, std::size_t finger) {
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     const RobotModel::Tip& one = robot.tips[tip];
-    const bool itself = std::isnan(one.along) || one.along == 0 || one.along == 1;
+    const bool itself = std::isnan(one.finger_curve_share) || one.finger_curve_share == 0 ||
+                        one.finger_curve_share == 1;
     if (one.finger == static_cast<int>(finger) && itself) return tip;
   }
   return std::nullopt;
@@ -104,8 +106,8 @@ GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
   collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
   score.penetration = deepest_penetration(world, plan.trajectory);
   for (const PadContact& contact : plan.grasp.contacts) {
-    const bool closed = contact.origin == ContactOrigin::closed;
-    const bool touches = contact.gap <= grasp::kMaxContactGap_m;
+    const bool closed = contact.origin == ContactOrigin::auto_closed;
+    const bool touches = contact.signed_distance <= grasp::kMaxContactGap_m;
     ++(closed ? score.closed : score.demonstrated);
     if (touches) ++(closed ? score.closed_touching : score.touching);
   }

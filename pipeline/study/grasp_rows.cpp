@@ -32,8 +32,8 @@ struct Column {
   bool is_topo_retarget = false;  ///< true for measures of TopoRetarget
 };
 constexpr Column kColumns[] = {
-    {"contact points from the known ones", "mm", 1e3, &ContactError::distance, kMaxContactError_mm},
-    {"pad's middle from the inward normal", "deg", 1 / kRadPerDegree, &ContactError::pad_angle,
+    {"contact point error", "mm", 1e3, &ContactError::distance, kMaxContactError_mm},
+    {"pad angle to the inward normal", "deg", 1 / kRadPerDegree, &ContactError::pad_angle,
      kMaxPadAngle_deg},
     {"gap between pad and surface", "mm", 1e3, &ContactError::gap, kUnknown},
     {"precision (TopoRetarget), fingertips", "mm", 1e3, &ContactError::precision, kUnknown, true},
@@ -68,9 +68,9 @@ void add_variant_rows(const Case& of, const std::vector<GraspComparison>& pairs,
   const double all = static_cast<double>(pairs.size());
   StudyRow& share = row("executable", "1", static_cast<double>(executable) / all, pairs.size());
   if (ours) share.at_least = static_cast<double>(by_fingertips) / all;
-  StudyRow& pads = row("penetration of pads, deepest", "mm", 1e3 * pads_m, run);
+  StudyRow& pads = row("penetration of pads, largest", "mm", 1e3 * pads_m, run);
   if (ours) pads.at_most = kMaxPadPenetration_mm;
-  StudyRow& links = row("penetration of other links, deepest", "mm", 1e3 * links_m, run);
+  StudyRow& links = row("penetration of other links, largest", "mm", 1e3 * links_m, run);
   if (ours) links.at_most = 0;
   for (std::size_t c = 0; c < std::size(kColumns); ++c) {
     if (values[c].empty()) continue;  // the set has no known contact
@@ -101,13 +101,13 @@ void add_contact_rows(const Case& of, const std::vector<GraspComparison>& pairs,
   const auto row = [&](const char* metric, std::size_t value) {
     result.rows.push_back(make_row(of, metric, "1", static_cast<double>(value), run));
   };
-  row("contacts known", known);
-  row("contacts asked", asked);
-  row("contacts given up", asked - kept);
-  row("contacts that touch", touched);
-  row("fingers closed", closed);
-  row("fingers closed that touch", closed_touch);
-  row("plans without a contact", without);
+  row("known contacts", known);
+  row("contacts demonstrated", asked);
+  row("contacts dropped", asked - kept);
+  row("contacts touching", touched);
+  row("closed fingers", closed);
+  row("closed fingers touching", closed_touch);
+  row("plans without contact", without);
 }
 
 void add_ratio_rows(const Case& of, const std::vector<GraspComparison>& pairs,

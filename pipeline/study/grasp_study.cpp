@@ -118,7 +118,7 @@ HandVariants load_hand(const GraspStudyOptions& options, const std::filesystem::
   HandVariants hand{planning::load_config(pipeline, options.contacts.set),
                     planning::load_config(pipeline, options.fingertips.set)};
   if (!hand.contacts.options.grasp || hand.fingertips.options.grasp) {
-    throw InputError(fmt::format("{}: `{}` must set a key of grasp, and `{}` none",
+    throw InputError(fmt::format("{}: `{}` must set a key of grasp, and `{}` must not",
                                  pipeline.string(), options.contacts.name,
                                  options.fingertips.name));
   }
@@ -136,7 +136,7 @@ PlannedRecording plan_both_variants(const HandVariants& hand, const RecordedGras
   const planning::Reconstruction rebuilt =
       planning::reconstruct_demonstration(without, recording.demonstration, seconds);
   if (planned.contacts.size() != planned.fingertips.size()) {
-    throw InputError(planned.name + ": the variants find other movements");
+    throw InputError(planned.name + ": the variants do not find the same movements");
   }
   for (std::size_t k = 0; k < planned.contacts.size(); ++k) {
     const Plan &contacts = planned.contacts[k], &fingertips = planned.fingertips[k];
@@ -180,11 +180,11 @@ std::vector<GraspComparison> plan_set(const GraspStudyOptions& options, const Gr
           if (contacts) contacts->add(planned.contacts[k]);
           if (fingertips) fingertips->add(planned.fingertips[k]);
           pairs.push_back(pair);
-          run.progress(fmt::format(
-              "{}, {}, {}/{}: {} {}, {} of {} touch; {} {}", set.name, hand.contacts.robot.name,
-              planned.name, k, options.contacts.name, name_of(planned.contacts[k].status()),
-              pair.contacts.touching, pair.demonstrated_contacts, options.fingertips.name,
-              name_of(planned.fingertips[k].status())));
+          run.progress(fmt::format("{}, {}, {}/{}: {} {}, {} of {} touch; {} {}", set.name,
+                                   hand.contacts.robot.name, planned.name, k, options.contacts.name,
+                                   name_of(planned.contacts[k].status()), pair.contacts.touching,
+                                   pair.demonstrated_contacts, options.fingertips.name,
+                                   name_of(planned.fingertips[k].status())));
         }
       });
   if (contacts) contacts->finish();
@@ -205,11 +205,11 @@ std::string validation_error(const GraspSet& set) {
 std::string validation_error(const GraspStudyOptions& options) {
   if (options.sets.empty()) return "sets is empty";
   if (options.contacts.name == options.fingertips.name) {
-    return "contacts and fingertips are named alike";
+    return "contacts and fingertips have the same name";
   }
   for (const GraspSet& set : options.sets) {
     if (std::ranges::count(options.sets, set.name, &GraspSet::name) > 1) {
-      return fmt::format("two sets are called '{}'", set.name);
+      return fmt::format("two sets have the name '{}'", set.name);
     }
   }
   if (options.quick_hands < 1) return "quick_hands must be at least 1";

@@ -121,7 +121,7 @@ JointRows baseline_path(BaselineMethod method, const BaselineHand& hand,
   ClosedPairs closed;
   solve::MinimiseOptions options;
   options.algorithm = "slsqp";
-  options.relative_value = 1e-6;
+  options.relative_tolerance = 1e-6;
   for (std::size_t f = 0; f < human_tips.size(); ++f) {
     update_closed_pairs(human_tips[f], closed);
     solve::BoundedProblem problem;

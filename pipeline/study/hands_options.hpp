@@ -13,19 +13,19 @@ struct StudiedHand {
   /// Robot description without an arm.
   std::string file;
   /// Frame at which the vectors of the published methods begin, "" for the palm.
-  std::string origin;
+  std::string vector_origin;
   /// Their scale of the human hand; if absent, the scale found by our method is used.
   std::optional<double> scale;
   /// True if thumb and index can touch pad to pad.
-  bool pads_meet = true;
+  bool can_pinch = true;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, StudiedHand& o) {
   f.required("file", o.file);
-  f("origin", o.origin);
+  f("vector_origin", o.vector_origin);
   f("scale", o.scale);
-  f("pads_meet", o.pads_meet);
+  f("can_pinch", o.can_pinch);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const StudiedHand& hand);
@@ -41,7 +41,7 @@ struct HandsStudyOptions {
   /// The hands, studied one after the other.
   std::vector<StudiedHand> robots;
   /// Thumb-index distance of the human below which a frame is a pinch [m].
-  double pinch_distance_m = 0.04;
+  double pinch_distance = 0.04;
   /// Number of hands in the quick variant, taken from the first.
   int quick_robots = 1;
   /// Number of frames per hand in the quick variant with the published objectives.
@@ -54,7 +54,7 @@ void fields(Fields& f, HandsStudyOptions& o) {
   f.required("pipeline", o.pipeline);
   f.required("manifest", o.manifest);
   f.required("robots", o.robots);
-  f("near", o.pinch_distance_m);
+  f("pinch_distance", o.pinch_distance);
   f("quick_robots", o.quick_robots);
   f("quick_frames", o.quick_frames);
 }

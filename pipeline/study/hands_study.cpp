@@ -71,19 +71,19 @@ void add_rows(const HandScores& scores, const Case& of, bool ours, const Studied
     result.rows.push_back(make_row(of, metric, unit, value, n));
     return result.rows.back();
   };
-  StudyRow& mean = row("tips from their goals, mean", "mm", 1e3 * scores.tip_mean_m, frames);
+  StudyRow& mean = row("tip error, mean", "mm", 1e3 * scores.tip_mean_m, frames);
   if (ours && joints >= kMinJudgedJoints) mean.at_most = 1e3 * kMaxTipError_m;
-  row("tips from their goals, 95 %", "mm", 1e3 * scores.tip_95_m, frames);
+  row("tip error, 95 %", "mm", 1e3 * scores.tip_95_m, frames);
   StudyRow& pinch = row("thumb-index error in pinches, median", "mm", 1e3 * scores.pinch_median_m,
                         scores.pinches);
-  if (ours && hand.pads_meet) pinch.at_most = 1e3 * kMaxPinchError_m;
-  row("thumb-index, correlation with the human's", "1", scores.correlation, frames);
+  if (ours && hand.can_pinch) pinch.at_most = 1e3 * kMaxPinchError_m;
+  row("thumb-index distance, correlation with the human's", "1", scores.correlation, frames);
   row("largest step in 10 ms", "rad", scores.max_step_rad, frames);
   StudyRow& acceleration =
-      row("tips' acceleration over their goals'", "1", scores.acceleration, frames);
+      row("tip acceleration over goal acceleration", "1", scores.acceleration, frames);
   if (ours) acceleration.at_most = kMaxAccelerationRatio;
-  row("frames in which the hand overlaps itself", "1", scores.overlap_share, frames);
-  row("its deepest overlap", "mm", 1e3 * scores.max_overlap_m, frames);
+  row("frames with self-overlap", "1", scores.overlap_share, frames);
+  row("largest self-overlap", "mm", 1e3 * scores.max_overlap_m, frames);
 }
 
 double processor_time_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -111,7 +111,8 @@ void add_baseline_rows(const StudiedHand& hand, const robot::Robot& robot, const
     const auto most = static_cast<std::size_t>(options.quick_frames);
     human.resize(std::min(human.size(), most));
   }
-  const BaselineHand peer{robot, frame_index(robot, hand.origin), hand.scale.value_or(found_scale)};
+  const BaselineHand peer{robot, frame_index(robot, hand.vector_origin),
+                          hand.scale.value_or(found_scale)};
   std::vector<Pose> poses;
   robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
                             poses);
@@ -130,9 +131,9 @@ void add_baseline_rows(const StudiedHand& hand, const robot::Robot& robot, const
     const double took_s = processor_time_s() - before_s;
     Case own = of;
     own.emplace_back("method", std::string(name_of(method)));
-    add_rows(score_hand(robot, course, options.pinch_distance_m), own, false, hand, robot.joints(),
+    add_rows(score_hand(robot, course, options.pinch_distance), own, false, hand, robot.joints(),
              human.size(), result);
-    timed_row(own, "frames a second, mapping", human.size(), took_s, result);
+    timed_row(own, "frames per second, mapping", human.size(), took_s, result);
   }
 }
 
@@ -154,7 +155,7 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
   const Case of = {{"recording", demonstration.name}, {"hand", robot.name}};
   Case own = of;
   own.emplace_back("method", "Morphe");
-  add_rows(score_hand(robot, course, options.pinch_distance_m), own, true, hand, robot.joints(),
+  add_rows(score_hand(robot, course, options.pinch_distance), own, true, hand, robot.joints(),
            course.time.size(), result);
   double with_trajectory_s = 0, whole_s = 0, tempo_s = 0;
   for (const Plan& plan : outcome.plans) {
@@ -167,14 +168,14 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
   const auto row = [&](const char* metric, const char* unit, double value) {
     result.rows.push_back(make_row(own, metric, unit, value, outcome.plans.size()));
   };
-  row("human's hand made larger", "1", outcome.plans.front().goals.hand_scale);
+  row("scale of the human hand", "1", outcome.plans.front().goals.hand_scale);
   row("share of the recording with a trajectory", "1", with_trajectory_s / whole_s);
-  row("tempo of what has one", "1", with_trajectory_s > 0 ? tempo_s / with_trajectory_s : kUnknown);
-  const auto mapping = outcome.stage_seconds.find("map");
-  if (mapping != outcome.stage_seconds.end()) {
-    timed_row(own, "frames a second, mapping", course.time.size(), mapping->second, result);
+  row("duration ratio", "1", with_trajectory_s > 0 ? tempo_s / with_trajectory_s : kUnknown);
+  const auto mapping = outcome.stage_cpu_s.find("map");
+  if (mapping != outcome.stage_cpu_s.end()) {
+    timed_row(own, "frames per second, mapping", course.time.size(), mapping->second, result);
   }
-  timed_row(own, "frames a second, all steps", course.time.size(), took_s, result);
+  timed_row(own, "frames per second, all steps", course.time.size(), took_s, result);
   add_baseline_rows(hand, robot, course, tips_in_wrist_frame(outcome.plans, course, robot),
                     outcome.plans.front().goals.hand_scale, options, run.quick, of, result);
   run.progress(fmt::format("{}, {}", demonstration.name, robot.name));
@@ -187,8 +188,8 @@ std::string validation_error(const StudiedHand& hand) {
 }
 
 std::string validation_error(const HandsStudyOptions& options) {
-  if (options.robots.empty()) return "robots must name a hand";
-  if (!(options.pinch_distance_m > 0)) return "near must be positive";
+  if (options.robots.empty()) return "robots must contain at least one hand";
+  if (!(options.pinch_distance > 0)) return "pinch_distance must be positive";
   if (options.quick_robots < 1) return "quick_robots must be at least 1";
   if (options.quick_frames < 5) return "quick_frames must be at least 5";
   return "";

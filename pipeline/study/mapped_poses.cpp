@@ -81,9 +81,9 @@ std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const Huma
     for (const RobotModel::Tip& tip : robot.tips) {
       Vec3 place = pose.wrist;
       if (tip.finger >= 0) place = pose.tip[static_cast<std::size_t>(tip.finger)];
-      if (std::isfinite(tip.along)) {
+      if (std::isfinite(tip.finger_curve_share)) {
         place = map::finger_curve_point({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]},
-                                        tip.along);
+                                        tip.finger_curve_share);
       }
       goal.tip_position.push_back(base_from_shoulder * place);
       goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unknown_rotation());

@@ -45,12 +45,12 @@ struct MappingStudyOptions {
   /// The variants of the config, ours first.
   std::vector<StudyVariant> variants;
   /// Variant with the longest search, which gives the best known continuous sequence.
-  std::string best;
+  std::string reference_variant;
   /// Variant without humanlikeness.
-  std::string without;
+  std::string ik_variant;
   /// The excess of F above which a frame counts as worse than the best sequence. F is computed with
   /// the weights of the set's pipeline and with `tip_position` as the weight of the tip positions.
-  double excess = 1e-3;
+  double excess_threshold = 1e-3;
   /// Weight w_x of the tip positions [1/m²].
   double tip_position = 1000;
 };
@@ -60,9 +60,9 @@ void fields(Fields& f, MappingStudyOptions& o) {
   f.required("study", o.study);
   f.required("sets", o.sets);
   f.required("variants", o.variants);
-  f("best", o.best);
-  f("without", o.without);
-  f("excess", o.excess);
+  f("reference_variant", o.reference_variant);
+  f("ik_variant", o.ik_variant);
+  f("excess_threshold", o.excess_threshold);
   f("tip_position", o.tip_position);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.

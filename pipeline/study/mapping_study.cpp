@@ -62,7 +62,7 @@ VariantResult plan_all(const MappingSet& set, const StudyVariant& variant,
   batch.write = [&](const run::DemonstrationOutcome& outcome) {
     result.plans.insert(result.plans.end(), outcome.plans.begin(), outcome.plans.end());
   };
-  result.map_s = run::run_batch(batch, run.jobs).stage_seconds["map"];
+  result.map_s = run::run_batch(batch, run.jobs).stage_cpu_s["map"];
   return result;
 }
 
@@ -89,7 +89,7 @@ struct MappingFigures {
 double objective_with_weight(const MappingResult& mapped, std::size_t frame,
                              double change_of_weight) {
   double squares = 0;
-  for (const double error : mapped.position_error.row(static_cast<Eigen::Index>(frame))) {
+  for (const double error : mapped.tip_error.row(static_cast<Eigen::Index>(frame))) {
     if (std::isfinite(error)) squares += error * error;
   }
   return mapped.objective[frame] + change_of_weight * squares;
@@ -109,14 +109,15 @@ MappingFigures figures_of(const MappingStudyOptions& options, const VariantResul
     for (std::size_t f = 0; f < mapped.objective.size(); ++f) {
       ++figures.frames;
       const double known = objective_with_weight(best[k]->mapped, f, change);
-      figures.excess += objective_with_weight(mapped, f, change) > known + options.excess ? 1 : 0;
+      figures.excess +=
+          objective_with_weight(mapped, f, change) > known + options.excess_threshold ? 1 : 0;
       for (std::size_t tip = 0; tip < plan.goals.tip_position.cols; ++tip) {
         if (!is_known(plan.goals.tip_position(f, tip))) continue;
         ++figures.goals;
         if (!best[k]->goals.reachable(f, tip)) continue;
         ++figures.reachable;
         figures.tips.push_back(
-            mapped.position_error(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(tip)));
+            mapped.tip_error(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(tip)));
       }
     }
     if (mapped.objective.empty()) continue;
@@ -140,7 +141,7 @@ void add_rows(const MappingStudyOptions& options, const MappingSet& set,
     const Plan* least = &variants.front().plans[k];
     for (const VariantResult& variant : variants) {
       const Plan& plan = variant.plans[k];
-      if (variant.name != options.best || plan.mapped.objective.empty()) continue;
+      if (variant.name != options.reference_variant || plan.mapped.objective.empty()) continue;
       if (sum(plan.mapped.objective) < sum(least->mapped.objective)) least = &plan;
     }
     best.push_back(least);
@@ -162,40 +163,41 @@ void add_rows(const MappingStudyOptions& options, const MappingSet& set,
     };
     const bool first = &variant == &variants.front();
     row("executable", "1", share(figures.executable, figures.movements), figures.movements);
-    if (!options.best.empty() && variant.name != options.without) {  // the objective differs
-      StudyRow& excess = row("frames above the best sequence", "1",
+    if (!options.reference_variant.empty() &&
+        variant.name != options.ik_variant) {  // the objective differs
+      StudyRow& excess = row("frames worse than the best sequence", "1",
                              share(figures.excess, figures.frames), figures.frames);
       if (first) excess.at_most = 0.02;
     }
     StudyRow& jumps = row("jumps", "1", static_cast<double>(figures.jumps), figures.movements);
     if (first) jumps.at_most = 0;
-    row("fingertips, reachable goals, median", "m", math::quantile(figures.tips, 0.5),
+    row("tip error, reachable goals, median", "m", math::quantile(figures.tips, 0.5),
         figures.tips.size());
     if (first) ours = result.rows.size() - 1;
-    row("fingertips, reachable goals, 99th percentile", "m", math::quantile(figures.tips, 0.99),
+    row("tip error, reachable goals, 99th percentile", "m", math::quantile(figures.tips, 0.99),
         figures.tips.size());
     row("A, sum over centres", "m^2", math::mean(figures.a), figures.a.size());
     row("B", "m^2", math::mean(figures.b), figures.b.size());
     row("C", "m^3", math::mean(figures.c), figures.c.size());
-    row("upper arm against the human's", "rad", math::mean(figures.upper_arm),
+    row("upper arm angle to the human's", "rad", math::mean(figures.upper_arm),
         figures.upper_arm.size());
-    StudyRow& time = row("mapping a frame", "s",
+    StudyRow& time = row("mapping time per frame", "s",
                          variant.map_s / static_cast<double>(figures.frames), figures.frames);
     time.is_timing = true;
-    if (variant.name == options.without) {
+    if (variant.name == options.ik_variant) {
       without_a = math::mean(figures.a);
       without_tips = math::quantile(figures.tips, 0.5);
     }
   }
-  if (options.without.empty()) return;
+  if (options.ik_variant.empty()) return;
   const Case of = {{"set", set.name},
-                   {"variant", variants.front().name + " over " + options.without}};
+                   {"variant", variants.front().name + " over " + options.ik_variant}};
   const MappingFigures figures = figures_of(options, variants.front(), best);
   result.rows.push_back(
       make_row(of, "A, ratio", "1", math::mean(figures.a) / without_a, figures.a.size()));
   // This value is guaranteed for real recordings, all of them together.
   if (all_recordings && set.synthetic.empty()) result.rows.back().at_most = 0.7;
-  result.rows.push_back(make_row(of, "fingertips, median, difference", "m",
+  result.rows.push_back(make_row(of, "tip error, median, difference", "m",
                                  result.rows[ours].ours - without_tips, figures.tips.size()));
   result.rows.back().at_most = 0.05e-3;
 }
@@ -211,11 +213,11 @@ std::string validation_error(const MappingSet& o) {
 std::string validation_error(const MappingStudyOptions& o) {
   if (o.sets.empty()) return "sets is empty";
   if (o.variants.empty()) return "variants is empty";
-  for (const std::string& name : {o.best, o.without}) {
+  for (const std::string& name : {o.reference_variant, o.ik_variant}) {
     if (!name.empty() && std::ranges::none_of(o.variants, [&](const StudyVariant& variant) {
           return variant.name == name;
         })) {
-      return fmt::format("there is no variant '{}'", name);
+      return fmt::format("unknown variant '{}'", name);
     }
   }
   return "";

@@ -61,13 +61,13 @@ scene::ConfiguredObject make_obstacle(const std::string& shape, std::vector<doub
   object.shape = shape;
   object.size = std::move(size);
   object.position = position;
-  object.in_mapping = false;
+  object.avoid_in_mapping = false;
   return object;
 }
 
 scene::ConfiguredObject sphere_at_elbow(ObstacleSite& site) {
   constexpr double kRadius_m = 0.05;
-  const int elbow = site.robot.centres.front().frame;
+  const int elbow = site.robot.joint_centres.front().frame;
   double arm = 0;
   for (const RobotModel::Capsule& capsule : site.robot.capsules) {
     if (capsule.frame == elbow) arm = std::max(arm, capsule.radius);

@@ -47,7 +47,8 @@ void add_rows(const Case& of, const MappedRobot& mapping, double position_limit_
   if (math::mean(ours.humanlike_m2) == math::mean(ours.humanlike_m2)) {
     row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
   }
-  StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
+  StudyRow& time =
+      row("time per frame, warm start", "s", ours.seconds / static_cast<double>(ours.solves));
   time.is_timing = true;
 }
 
@@ -138,7 +139,7 @@ void run_terms(const PaperContext& context, StudyResult& result) {
     chains.emplace_back(entry.name, arm_chain_of(robot, ours.q[context.arms.front().size() - 1]));
   }
   result.plots.emplace_back(
-      "figure_8", pose_plot("Fig. 8: what each term does", context.arms.front().back(), chains));
+      "figure_8", pose_plot("Fig. 8: effect of each term", context.arms.front().back(), chains));
 }
 
 }  // namespace morphe::study

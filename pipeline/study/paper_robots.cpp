@@ -176,7 +176,8 @@ void run_reference(const PaperContext& context, StudyResult& result) {
     row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
     row("A over that of plain inverse kinematics", "1",
         math::mean(ours.humanlike_m2) / math::mean(without.humanlike_m2));
-    StudyRow& time = row("a frame, warm", "s", ours.seconds / static_cast<double>(ours.solves));
+    StudyRow& time =
+        row("time per frame, warm start", "s", ours.seconds / static_cast<double>(ours.solves));
     time.is_timing = true;
     time.published = 0.2e-3;
   }

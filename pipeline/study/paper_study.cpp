@@ -30,7 +30,7 @@ std::string validation_error(const PaperStudyOptions& o) {
   if (o.starts < 1) return "starts must be positive";
   for (const std::string& name : o.cases) {
     if (std::ranges::none_of(kCases, [&](const PaperCase& c) { return name == c.name; })) {
-      return fmt::format("cases: there is no '{}'", name);
+      return fmt::format("cases: unknown case '{}'", name);
     }
   }
   return "";

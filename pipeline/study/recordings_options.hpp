@@ -28,7 +28,7 @@ struct RealSet {
   /// True if the labels use the same definition of boundaries as segmentation.
   bool same_boundaries = false;
   /// Joint angles from other software (see angle_files.hpp).
-  std::vector<AngleFile> angles;
+  std::vector<AngleFile> reference_angles;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
@@ -36,7 +36,7 @@ void fields(Fields& f, RealSet& o) {
   f.required("name", o.name);
   f.required("manifest", o.manifest);
   f("same_boundaries", o.same_boundaries);
-  f("angles", o.angles);
+  f("reference_angles", o.reference_angles);
 }
 
 /// A set of recordings made by pipeline/synthesize.
@@ -50,13 +50,13 @@ struct SyntheticSet {
   /// Settings "a.b=value" applied to the config.
   std::vector<std::string> set;
   /// Required recall, 0 for no requirement.
-  double least_recall = 0;
+  double min_recall = 0;
   /// Required median and 95th percentile of the boundary errors [s].
-  double median_s = 0, percentile_95_s = 0;
+  double max_median_error_s = 0, max_p95_error_s = 0;
   /// True if positions are evaluated as well.
-  bool accuracy = false;
+  bool score_positions = false;
   /// Required rms of elbow and wrist, and of fingertips [m].
-  double joints_m = 0, fingertips_m = 0;
+  double max_joint_rms_m = 0, max_fingertip_rms_m = 0;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
@@ -67,12 +67,12 @@ void fields(Fields& f, SyntheticSet& o) {
   f("quick_count", o.quick_count);
   f("seed", o.seed);
   f("set", o.set);
-  f("least_recall", o.least_recall);
-  f("median_s", o.median_s);
-  f("percentile_95_s", o.percentile_95_s);
-  f("accuracy", o.accuracy);
-  f("joints_m", o.joints_m);
-  f("fingertips_m", o.fingertips_m);
+  f("min_recall", o.min_recall);
+  f("max_median_error_s", o.max_median_error_s);
+  f("max_p95_error_s", o.max_p95_error_s);
+  f("score_positions", o.score_positions);
+  f("max_joint_rms_m", o.max_joint_rms_m);
+  f("max_fingertip_rms_m", o.max_fingertip_rms_m);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const SyntheticSet& set);

@@ -16,7 +16,7 @@ StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& r
   Plot errors;
   errors.title = "Boundaries of reaches on synthetic recordings";
   errors.x_label = "error [ms]";
-  errors.y_label = "share of boundaries below it [%]";
+  errors.y_label = "share of boundaries with a smaller error [%]";
   for (const SyntheticSet& set : options.synthetic) {
     score_synthetic(options, set, run, result, errors);
   }

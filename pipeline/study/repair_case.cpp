@@ -50,7 +50,7 @@ Plan plan_with(const planning::LoadedConfig& loaded,
 void count_colliding_states(const robot::Robot& robot, const Plan& plan,
                             const Trajectory& trajectory, double step_m, RepairOutcome& repaired) {
   Tolerances touching = plan.tolerances;
-  touching.margin = 0;
+  touching.required_clearance = 0;
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, touching);
   collision::FclEngine engine(world);
@@ -90,7 +90,7 @@ RepairOutcome score_repair(const RepairStudy& study, const robot::Robot& robot, 
                                        plan.path.position.row(row) != plan.mapped.position.row(row);
   }
   count_colliding_states(robot, plan, plan.trajectory.samples() > 0 ? plan.trajectory : untimed,
-                         study.options.step_m, repaired);
+                         study.options.check_step_m, repaired);
   return repaired;
 }
 

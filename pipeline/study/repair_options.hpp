@@ -30,13 +30,13 @@ struct RepairStudyOptions {
   std::vector<StudyVariant> variants;
   /// Planner alone, which repairs the path that was executable without the obstacle, without a
   /// mapping.
-  StudyVariant plain;
+  StudyVariant planner_only;
   /// The long search.
   StudyVariant long_search;
   /// The seeds of the long search.
   std::vector<std::uint64_t> long_seeds = {1, 2, 3};
   /// Largest displacement of any body between two states of the independent check [m].
-  double step_m = 1e-4;
+  double check_step_m = 1e-4;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
@@ -50,10 +50,10 @@ void fields(Fields& f, RepairStudyOptions& o) {
   f("recordings", o.recordings);
   f("first_recording", o.first_recording);
   f.required("variants", o.variants);
-  f.required("plain", o.plain);
+  f.required("planner_only", o.planner_only);
   f.required("long_search", o.long_search);
   f("long_seeds", o.long_seeds);
-  f("step_m", o.step_m);
+  f("check_step_m", o.check_step_m);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const RepairStudyOptions& options);

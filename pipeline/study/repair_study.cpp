@@ -20,7 +20,7 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
   if (of_kind.empty()) return;
   double ours_a = kUnknown;
   std::vector<StudyVariant> variants = options.variants;
-  variants.push_back(options.plain);
+  variants.push_back(options.planner_only);
   for (std::size_t v = 0; v < variants.size(); ++v) {
     std::size_t solved = 0, solvable = 0, collisions = 0, changed = 0;
     std::vector<double> a_ratio, tips, both_a, both_tips;
@@ -48,26 +48,26 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
     };
     row("executable", "1", static_cast<double>(solved) / static_cast<double>(of_kind.size()),
         of_kind.size());
-    StudyRow& share = row("executable of the solvable", "1",
+    StudyRow& share = row("executable share of solvable cases", "1",
                           static_cast<double>(solved) / static_cast<double>(solvable), solvable);
     if (first && whole) share.at_least = 0.98;
     StudyRow& hits = row("states in collision", "1", static_cast<double>(collisions), solved);
     if (first) hits.at_most = 0;
     StudyRow& bits =
-        row("changed outside the repaired intervals", "1", static_cast<double>(changed), solved);
+        row("change outside the repaired intervals", "1", static_cast<double>(changed), solved);
     if (first) bits.at_most = 0;
     StudyRow& a =
-        row("A over the mapping's, median", "1", math::quantile(a_ratio, 0.5), a_ratio.size());
+        row("A over A of the mapping, median", "1", math::quantile(a_ratio, 0.5), a_ratio.size());
     if (first && whole) a.at_most = 1.25;
-    row("fingertips from their goals, mean", "m", math::mean(tips), tips.size());
-    StudyRow& common = row("A over the mapping's, where all succeed, mean", "1", math::mean(both_a),
-                           both_a.size());
+    row("tip error, mean", "m", math::mean(tips), tips.size());
+    StudyRow& common = row("A over A of the mapping, cases solved by all, mean", "1",
+                           math::mean(both_a), both_a.size());
     if (first) {
       ours_a = common.ours;
     } else if (whole) {
       common.at_least = ours_a;  // requires that ours is not worse
     }
-    row("fingertips, where all succeed, mean", "m", math::mean(both_tips), both_tips.size());
+    row("tip error, cases solved by all, mean", "m", math::mean(both_tips), both_tips.size());
   }
 }
 
@@ -78,7 +78,7 @@ std::string validation_error(const RepairStudyOptions& o) {
   if (o.cases < 1 || o.quick_cases < 1) return "cases and quick_cases must be positive";
   if (o.recordings < 1) return "recordings must be positive";
   if (o.first_recording < 0) return "first_recording must not be negative";
-  if (!(o.step_m > 0)) return "step_m must be positive";
+  if (!(o.check_step_m > 0)) return "check_step_m must be positive";
   return "";
 }
 
@@ -101,7 +101,8 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) 
     long_searches.push_back(planning::load_config(study.pipeline, set));
   }
 
-  const planning::LoadedConfig plain = planning::load_config(study.pipeline, options.plain.set);
+  const planning::LoadedConfig plain =
+      planning::load_config(study.pipeline, options.planner_only.set);
 
   const auto wanted = static_cast<std::size_t>(run.quick ? options.quick_cases : options.cases);
   std::vector<ObstacleCase> cases;
@@ -135,7 +136,7 @@ StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run) 
   morphe::parallel::run(map, run.jobs);
 
   StudyResult result;
-  result.rows.push_back(make_row({{"obstacle", "all"}}, "recordings looked at", "1",
+  result.rows.push_back(make_row({{"obstacle", "all"}}, "recordings examined", "1",
                                  static_cast<double>(looked_at), cases.size()));
   add_rows(options, "all", cases, result);
   for (const char* kind : kObstacleKinds) add_rows(options, kind, cases, result);

@@ -62,7 +62,7 @@ void write_hdf5(const StudyResult& result, const std::filesystem::path& path) {
   root.write_strings("metric", metrics);
   root.write_strings("units", units);
   for (auto& [name, column] : {std::pair("ours", &ours), std::pair("published", &published),
-                               std::pair("reachable", &reachable), std::pair("n", &count)}) {
+                               std::pair("reachable", &reachable), std::pair("count", &count)}) {
     column->dims = {column->values.size()};
     root.write(name, *column);
   }
@@ -84,10 +84,10 @@ std::string results_json(const StudyResult& all) {
                  {"ours", number(row.ours)},
                  {"published", number(row.published)},
                  {"reachable", number(row.reachable)},
-                 {"n", row.count}};
+                 {"count", row.count}};
     if (row.has_requirement()) {
-      json["wanted"] = requirement_text(row);
-      json["holds"] = row.meets_requirement();
+      json["requirement"] = requirement_text(row);
+      json["requirement_met"] = row.meets_requirement();
     }
     rows.push_back(std::move(json));
   }
@@ -96,7 +96,8 @@ std::string results_json(const StudyResult& all) {
 
 std::string results_csv(const StudyResult& all) {
   const StudyResult result = remove_timed_rows(all);
-  std::string text = "case,metric,unit,ours,published,reachable,n,wanted,holds\n";
+  std::string text =
+      "case,metric,unit,ours,published,reachable,count,requirement,requirement_met\n";
   const auto cell = [](double v) { return std::isfinite(v) ? fmt::format("{}", v) : ""; };
   for (const StudyRow& row : result.rows) {
     text += fmt::format("{},{},{},{},{},{},{},{},{}\n", quoted(case_text(row)), quoted(row.metric),
@@ -125,13 +126,13 @@ std::string results_table(const StudyResult& result) {
   std::string text =
       fmt::format("{:<{}}  {:<{}}  {:>10} {:<5}{}{} {:>12}  {:>7}\n", "case", case_width, "metric",
                   metric_width, "ours", "unit", published ? "  published" : "",
-                  reachable ? "  reachable" : "", "wanted", "n");
+                  reachable ? "  reachable" : "", "requirement", "count");
   for (const StudyRow& row : result.rows) {
     text += fmt::format("{:<{}}  {:<{}}  {:>10.4g} {:<5}{}{} {:>12}  {:>7}{}\n", case_text(row),
                         case_width, row.metric, metric_width, row.ours, row.unit,
                         optional(published, row.published), optional(reachable, row.reachable),
                         requirement_text(row), row.count,
-                        row.has_requirement() && !row.meets_requirement() ? "  missed" : "");
+                        row.has_requirement() && !row.meets_requirement() ? "  not met" : "");
   }
   return text;
 }

@@ -16,7 +16,7 @@ struct RetimeStudyOptions {
   /// Number of random paths.
   int paths = 2000, quick_paths = 12;
   /// Number of random paths of few joints and waypoints.
-  int small_paths = 250000, quick_small_paths = 100;
+  int short_paths = 250000, quick_short_paths = 100;
   /// Number of paths compared with a much finer grid.
   int optimum_paths = 50, quick_optimum_paths = 3;
   /// Pipeline and recordings of the trials, "" for no trials.
@@ -24,7 +24,7 @@ struct RetimeStudyOptions {
   /// Maximum number of recordings.
   int trials = 1000, quick_trials = 1;
   /// Factor applied to the limits of a robot that can follow any human.
-  double stronger = 1000;
+  double limit_factor = 1000;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
@@ -33,15 +33,15 @@ void fields(Fields& f, RetimeStudyOptions& o) {
   f("seed", o.seed);
   f("paths", o.paths);
   f("quick_paths", o.quick_paths);
-  f("small_paths", o.small_paths);
-  f("quick_small_paths", o.quick_small_paths);
+  f("short_paths", o.short_paths);
+  f("quick_short_paths", o.quick_short_paths);
   f("optimum_paths", o.optimum_paths);
   f("quick_optimum_paths", o.quick_optimum_paths);
   f("pipeline", o.pipeline);
   f("manifest", o.manifest);
   f("trials", o.trials);
   f("quick_trials", o.quick_trials);
-  f("stronger", o.stronger);
+  f("limit_factor", o.limit_factor);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const RetimeStudyOptions& options);

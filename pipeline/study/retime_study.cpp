@@ -42,8 +42,8 @@ PathOutcome score_path(const RandomPath& random) {
     if (options.mode == retime::RetimeMode::duration)
       options.duration_s = std::max(0.05, kDurationFactor * fastest_s);
     Outcome<retime::RetimeResult> result;
-    out.took_s[mode] =
-        measure_seconds([&] { result = retime::retime(random.robot, random.path, Movement{}, options); });
+    out.took_s[mode] = measure_seconds(
+        [&] { result = retime::retime(random.robot, random.path, Movement{}, options); });
     out.failure[mode] = result.failure;
     if (result.failure) continue;
     if (options.mode == retime::RetimeMode::fastest)
@@ -83,15 +83,15 @@ void add_law_rows(const TimeLawStatistics& laws, const Case& of, StudyResult& re
     return result.rows.back();
   };
   row("solved", "1", static_cast<double>(laws.solved) / static_cast<double>(all)).at_least = 1;
-  row("laws that break a limit", "1", static_cast<double>(laws.broken)).at_most = 0;
+  row("time laws beyond a limit", "1", static_cast<double>(laws.broken)).at_most = 0;
   row("largest velocity over its limit", "1", laws.worst.velocity).at_most = 1.001;
   row("largest acceleration over its limit", "1", laws.worst.acceleration).at_most = 1.001;
   row("largest jerk over its limit", "1", laws.worst.jerk).at_most = 1.01;
-  row("farthest beyond a position limit", "rad", laws.worst.position_excess).at_most = 0;
-  row("all at rest at both ends", "1", laws.worst.at_rest).at_least = 1;
+  row("largest excess over a position limit", "rad", laws.worst.position_excess).at_most = 0;
+  row("at rest at both ends", "1", laws.worst.at_rest).at_least = 1;
   row("time always increases", "1", laws.worst.time_increases).at_least = 1;
-  row("time of one, median", "s", math::quantile(laws.took_s, 0.5)).is_timing = true;
-  row("time of one, 99th percentile", "s", math::quantile(laws.took_s, 0.99)).is_timing = true;
+  row("time per path, median", "s", math::quantile(laws.took_s, 0.5)).is_timing = true;
+  row("time per path, 99th percentile", "s", math::quantile(laws.took_s, 0.99)).is_timing = true;
 }
 
 void score_random_paths(const char* paths, int count, const StudyRun& study,
@@ -125,7 +125,7 @@ void score_all_random_paths(const RetimeStudyOptions& options, const StudyRun& s
       "random", study.quick ? options.quick_paths : options.paths, study,
       [&](std::uint64_t index) { return random_path(options.seed, index); }, result);
   score_random_paths(
-      "small", study.quick ? options.quick_small_paths : options.small_paths, study,
+      "small", study.quick ? options.quick_short_paths : options.short_paths, study,
       [&](std::uint64_t index) { return short_path(options.seed, index); }, result);
 }
 
@@ -165,11 +165,11 @@ void add_optimum_rows(const RetimeStudyOptions& options, const StudyRun& study,
     result.rows.push_back(
         make_row(of, fmt::format("{}, mean", metric), "1", math::mean(values), values.size()));
   };
-  row("law over the least time", law, 1.005);
-  result.rows.push_back(
-      make_row(of, "law over the least time, smallest", "1", math::quantile(law, 0), law.size()));
+  row("duration over the shortest possible", law, 1.005);
+  result.rows.push_back(make_row(of, "duration over the shortest possible, smallest", "1",
+                                 math::quantile(law, 0), law.size()));
   result.rows.back().at_least = 0.995;
-  row("samples over the least time", sampled, 1.02);
+  row("sampled duration over the shortest possible", sampled, 1.02);
 }
 
 void add_trial_rows(const RetimeStudyOptions& options, const StudyRun& study, StudyResult& result) {
@@ -177,9 +177,9 @@ void add_trial_rows(const RetimeStudyOptions& options, const StudyRun& study, St
   const planning::LoadedConfig config = planning::load_config(folder / options.pipeline);
   const planning::PlanningInputs planner{config.options, config.robot};
   robot::Robot stronger = config.robot;
-  stronger.velocity *= options.stronger;
-  stronger.acceleration *= options.stronger;
-  stronger.jerk *= options.stronger;
+  stronger.velocity *= options.limit_factor;
+  stronger.acceleration *= options.limit_factor;
+  stronger.jerk *= options.limit_factor;
   imports::ImportRequest request;
   request.paths = {folder / options.manifest};
   int recordings = 0;
@@ -194,14 +194,14 @@ void add_trial_rows(const RetimeStudyOptions& options, const StudyRun& study, St
       };
       const TimingScore real = score_timing(config.robot, plan.goals, plan.trajectory);
       row("the robot's", "tempo", real.duration_ratio);
-      row("the robot's", "share of time at the human's tempo", real.human_speed_share);
+      row("the robot's", "share of time at the human's speed", real.human_speed_share);
       const Outcome<retime::RetimeResult> free =
           retime::retime(stronger, plan.path, plan.movement, config.options.retime);
       const TimingScore timing = score_timing(config.robot, plan.goals, free.value.trajectory);
       StudyRow& tempo = row("stronger", "tempo", timing.duration_ratio);
       tempo.at_least = 0.9995;
       tempo.at_most = 1.0005;
-      row("stronger", "share of time at the human's tempo", timing.human_speed_share);
+      row("stronger", "share of time at the human's speed", timing.human_speed_share);
       row("stronger", "tip speeds, correlation with the human's", timing.correlation).at_least =
           0.999;
     }
@@ -212,12 +212,13 @@ void add_trial_rows(const RetimeStudyOptions& options, const StudyRun& study, St
 }  // namespace
 
 std::string validation_error(const RetimeStudyOptions& o) {
-  if (std::min({o.paths, o.quick_paths, o.small_paths, o.quick_small_paths, o.optimum_paths,
+  if (std::min({o.paths, o.quick_paths, o.short_paths, o.quick_short_paths, o.optimum_paths,
                 o.quick_optimum_paths}) < 1) {
     return "numbers of paths must be positive";
   }
-  if (o.pipeline.empty() != o.manifest.empty()) return "pipeline and manifest go together";
-  if (!(o.stronger >= 1)) return "stronger must be at least 1";
+  if (o.pipeline.empty() != o.manifest.empty())
+    return "pipeline and manifest must be given together";
+  if (!(o.limit_factor >= 1)) return "limit_factor must be at least 1";
   return "";
 }
 

@@ -56,7 +56,7 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   imports::ImportRequest request;
   request.paths = {options.folder / set.manifest};
   // Angle files of other software refer to the axes of their laboratory.
-  if (!set.angles.empty()) request.conventions.forward = imports::ForwardSource::recorded;
+  if (!set.reference_angles.empty()) request.conventions.forward = imports::ForwardSource::recorded;
   SegmentationScore all;
   std::size_t labelled = 0, overlapped = 0, recordings = 0;
   double recorded_s = 0, rebuild_s = 0;
@@ -79,10 +79,10 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
         };
         row("duration", "s", stream.duration_s);
         row("rate", "Hz", stream.rate_hz);
-        row("share seen", "1", stream.seen);
+        row("valid share", "1", stream.valid_share);
       }
       StudyRow found =
-          make_row(of, "movements found", "1", static_cast<double>(movements.size()), 1);
+          make_row(of, "detected movements", "1", static_cast<double>(movements.size()), 1);
       const SegmentationScore score = score_segmentation(demonstration.labels, movements);
       if (score.labelled > 0) {
         found.at_least = found.at_most = static_cast<double>(score.labelled);
@@ -94,7 +94,7 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
         overlapped += overlaps_reach(label, movements) ? 1 : 0;
       }
       all.add(score);
-      for (const AngleFile& file : set.angles) {
+      for (const AngleFile& file : set.reference_angles) {
         if (file.recording != demonstration.name) continue;
         for (const AngleAgreement& angle : compare_with_angle_file(
                  demonstration, motion, options.reconstruct, options.folder / file.file)) {
@@ -116,8 +116,8 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   });
   const Case of = {{"set", set.name}};
   if (labelled > 0) {
-    StudyRow row = make_row(of, "labelled reaches met by one found", "1",
-                            static_cast<double>(overlapped), labelled);
+    StudyRow row =
+        make_row(of, "labelled reaches detected", "1", static_cast<double>(overlapped), labelled);
     row.at_least = static_cast<double>(labelled);
     result.rows.push_back(row);
   }
@@ -136,8 +136,8 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   }
   StudyRow import =
       make_row(of, "import, times real time", "1", recorded_s / (total_s - rebuild_s), recordings);
-  StudyRow rebuild =
-      make_row(of, "rebuild and segment, times real time", "1", recorded_s / rebuild_s, recordings);
+  StudyRow rebuild = make_row(of, "reconstruction and segmentation, times real time", "1",
+                              recorded_s / rebuild_s, recordings);
   import.is_timing = rebuild.is_timing = true;
   result.rows.push_back(import);
   result.rows.push_back(rebuild);

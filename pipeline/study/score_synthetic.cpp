@@ -39,7 +39,7 @@ RecordingScore score_recording(const ScoreOptions& options,
                                reconstruct::objects_on_side(recording.recorded, Side::right));
   outcome.recorded_s = longest_duration_s(report_streams(recording.recorded.streams));
   outcome.segmentation = score_segmentation(recording.recorded.labels, movements);
-  if (set.accuracy) outcome.reconstruction = score_reconstruction(motion, recording.truth);
+  if (set.score_positions) outcome.reconstruction = score_reconstruction(motion, recording.truth);
   return outcome;
 }
 
@@ -48,7 +48,7 @@ RecordingScore score_set(const ScoreOptions& options, const SyntheticSet& set,
   config::ConfigNode node = config::ConfigNode::load(options.folder / set.config);
   for (const std::string& setting : set.set) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos) node.fail(fmt::format("set: '{}' holds no '='", setting));
+    if (equals == std::string::npos) node.fail(fmt::format("set: '{}' contains no '='", setting));
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
   synthesize::SynthesizeOptions synthetic;
@@ -82,17 +82,17 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
     if (at_most > 0) result.rows.back().at_most = at_most;
   };
   add("shoulder, rms", score.shoulder, "m");
-  add("elbow, rms", score.elbow, "m", set.joints_m);
-  add("wrist, rms", score.wrist, "m", set.joints_m);
-  add("fingertips, rms", score.tips, "m", set.fingertips_m);
+  add("elbow, rms", score.elbow, "m", set.max_joint_rms_m);
+  add("wrist, rms", score.wrist, "m", set.max_joint_rms_m);
+  add("fingertips, rms", score.tips, "m", set.max_fingertip_rms_m);
   add("fingertips in the hand (the glove's part), rms", score.tips_in_hand, "m");
   add("hand orientation, rms", score.orientation, "rad");
   add("arm angles, rms", score.arm_angles, "rad");
   add("hand angles, rms", score.hand_angles, "rad");
   add("index tip at rest, rms speed", score.speed_at_rest, "m/s");
-  add("the same, truly", score.true_speed_at_rest, "m/s");
+  add("index tip at rest, true rms speed", score.true_speed_at_rest, "m/s");
   result.rows.push_back(
-      make_row(of, "frames rebuilt whole", "1",
+      make_row(of, "frames fully reconstructed", "1",
                static_cast<double>(score.seen) / static_cast<double>(score.frames), score.frames));
   const std::size_t delays = score.delay_s.size(), peaks = score.peak_ratio.size();
   result.rows.push_back(
@@ -101,7 +101,7 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
       make_row(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
   result.rows.push_back(
       make_row(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
-  result.rows.push_back(make_row(of, "peak speed of reaches over the true one, median", "1",
+  result.rows.push_back(make_row(of, "peak speed of reaches over the true value, median", "1",
                                  math::quantile(score.peak_ratio, 0.5), peaks));
 }
 
@@ -120,8 +120,8 @@ void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationS
                              errors.size());
   StudyRow high = make_row(of, "reach boundaries, 95th percentile", "s",
                            math::quantile(errors, 0.95), errors.size());
-  if (set.median_s > 0) median.at_most = set.median_s;
-  if (set.percentile_95_s > 0) high.at_most = set.percentile_95_s;
+  if (set.max_median_error_s > 0) median.at_most = set.max_median_error_s;
+  if (set.max_p95_error_s > 0) high.at_most = set.max_p95_error_s;
   result.rows.push_back(median);
   result.rows.push_back(high);
 }
@@ -135,15 +135,15 @@ void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const
   const Case of = {{"set", set.name}};
   StudyRow precision = make_row(of, "movements, precision", "1", score.precision(), score.found);
   StudyRow recall = make_row(of, "movements, recall", "1", score.recall(), score.labelled);
-  if (set.least_recall > 0) precision.at_least = recall.at_least = set.least_recall;
+  if (set.min_recall > 0) precision.at_least = recall.at_least = set.min_recall;
   result.rows.push_back(precision);
   result.rows.push_back(recall);
   add_boundaries(of, set, score, result);
-  if (set.accuracy) add_accuracy(of, set, sum.reconstruction, result);
+  if (set.score_positions) add_accuracy(of, set, sum.reconstruction, result);
   StudyRow made =
       make_row(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
   StudyRow rebuilt =
-      make_row(of, "rebuild, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
+      make_row(of, "reconstruction, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
   made.is_timing = rebuilt.is_timing = true;
   result.rows.push_back(made);
   result.rows.push_back(rebuilt);
@@ -160,7 +160,7 @@ void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const
     line.y.push_back(percent);
   }
   errors.lines.push_back(std::move(line));
-  run.progress(fmt::format("{}: {} labelled, {} found", set.name,
+  run.progress(fmt::format("{}: {} labelled, {} detected", set.name,
                            count_with_noun(score.labelled, "movement"), score.found));
 }
 

@@ -47,8 +47,8 @@ StudyResult run_study(const StudyRun& run) {
   for (const Entry& entry : kStudies) known.emplace_back(entry.name);
   const std::string meant = config::spelling_hint(name.text(), known);
   name.fail(
-      fmt::format("there is no study '{}'{}", name.text(),
-                  meant.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : meant));
+      fmt::format("unknown study '{}'{}", name.text(),
+                  meant.empty() ? fmt::format("; available: {}", fmt::join(known, ", ")) : meant));
 }
 
 config::Schema study_schema(const config::KeyDescriptions& meanings) {

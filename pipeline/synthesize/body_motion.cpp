@@ -58,7 +58,7 @@ InvoluntaryMotion draw_tremor(const SyntheticBody& options, math::RandomStream& 
   const double hz = random.uniform(options.tremor_hz);
   const Vec3 along = random.normal_vector3().normalized();
   return draw_waves(kWaveCount, hz - kHalfBand_hz, hz + kHalfBand_hz,
-                    options.tremor / kWaveCount * along, random);
+                    options.tremor_amplitude / kWaveCount * along, random);
 }
 
 ArmState arm_state(const BodyMotion& motion, double time_s) {

@@ -30,7 +30,7 @@ MarkerStream digitise(const SyntheticSensors& options, const Subject& subject,
   for (const Vec3& knuckle : knuckles(subject.hand)) {
     points.push_back(pose.wrist + pose.world_from_hand * knuckle);
   }
-  const auto count = static_cast<std::size_t>(options.digitised);
+  const auto count = static_cast<std::size_t>(options.digitisation_count);
   markers.position = Array2D<Vec3>(count, points.size(), Vec3::Zero());
   for (std::size_t i = 0; i < count; ++i) {
     markers.time.push_back(options.calibration_s * static_cast<double>(i) /

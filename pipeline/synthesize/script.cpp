@@ -78,12 +78,13 @@ class ScriptGenerator {
     arm_ = home_;
     target_ = places_.draw_target(home_);
     const double widest = aperture(subject.hand, subject.postures.open);
-    const double fits = 0.5 * (widest - options.hand.opening_excess[0]) - options.hand.pad;
+    const double fits =
+        0.5 * (widest - options.hand.peak_aperture_excess[0]) - options.hand.pad_depth;
     script_.object_radius = std::min(random.uniform(options.object.radius), fits);
   }
 
   Script write() {
-    const int count = random_.uniform_integer(m_.per_recording);
+    const int count = random_.uniform_integer(m_.movements_per_recording);
     now_s_ = random_.uniform(m_.rest_s);
     for (int k = 0; k < count; ++k) {
       write_movement();
@@ -94,9 +95,9 @@ class ScriptGenerator {
     const auto within = [&](const ScriptedMovement& movement) {
       return random_.uniform(movement.phases.front().begin_s, movement.phases.back().end_s);
     };
-    if (random_.bernoulli(m_.starts_inside_share))
+    if (random_.bernoulli(m_.truncated_start_share))
       script_.begin_s = within(script_.movements.front());
-    if (random_.bernoulli(m_.ends_inside_share)) {
+    if (random_.bernoulli(m_.truncated_end_share)) {
       script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kMinRecording_s);
     }
     return std::move(script_);
@@ -122,7 +123,7 @@ class ScriptGenerator {
   void write_reach(ScriptedMovement& movement, const ArmState& target) {
     const double begin_s = now_s_;
     double duration_s = random_.uniform(m_.reach_s), opening_s = duration_s, closing_s = 0;
-    const double peak_share = random_.uniform(o_.hand.peak_share);
+    const double peak_aperture_time = random_.uniform(o_.hand.peak_aperture_time);
     const ArmState way = target - arm_;
     if (movement.kind == MovementKind::two_peaks) {
       const double first_s = random_.uniform(0.62, 0.72) * duration_s;
@@ -150,7 +151,7 @@ class ScriptGenerator {
     now_s_ = begin_s + duration_s;
     movement.phases.push_back({PhaseKind::reach, begin_s, now_s_});
     if (movement.grasps) {
-      const double widest_s = begin_s + peak_share * opening_s;
+      const double widest_s = begin_s + peak_aperture_time * opening_s;
       shape_hand(begin_s, widest_s, std::max(closing_s, widest_s));
     } else {
       move_hand(begin_s, now_s_, subject_.postures.pointing);
@@ -159,9 +160,9 @@ class ScriptGenerator {
 
   /// Opens the hand, and closes it on the object when the arm has arrived.
   void shape_hand(double begin_s, double widest_s, double closing_s) {
-    const double grasp_m = 2 * (script_.object_radius + o_.hand.pad);
-    const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.opening_excess),
-                                   aperture(subject_.hand, hand_) + o_.hand.least_widening);
+    const double grasp_m = 2 * (script_.object_radius + o_.hand.pad_depth);
+    const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.peak_aperture_excess),
+                                   aperture(subject_.hand, hand_) + o_.hand.min_aperture_increase);
     const double lag_s = random_.uniform(0, 0.05);
     move_hand(begin_s + lag_s, widest_s, posture(wide_m));
     move_hand(closing_s, now_s_ + lag_s, posture(grasp_m));

@@ -12,7 +12,7 @@ namespace morphe::synthesize {
 /// the start.
 struct NoiseModel {
   /// The share and the time constant [s] of the slow component, and the sample rate [Hz].
-  double slow_share = 0.5, slow_s = 1, rate_hz = 240;
+  double correlated_noise_share = 0.5, correlation_time_s = 1, rate_hz = 240;
 };
 /// A generator of noise for N channels of one sensor.
 template <int N>
@@ -22,11 +22,12 @@ class SensorNoise {
   using Value = Eigen::Matrix<double, N, 1>;
   /// Starts the generator in the stationary state.
   SensorNoise(const NoiseModel& law, double rms, math::RandomStream& random)
-      : decay_(std::exp(-1 / (law.slow_s * law.rate_hz))),
-        innovation_(rms * std::sqrt(law.slow_share * (1 - decay_ * decay_))),
-        white_(rms * std::sqrt(1 - law.slow_share)),
+      : decay_(std::exp(-1 / (law.correlation_time_s * law.rate_hz))),
+        innovation_(rms * std::sqrt(law.correlated_noise_share * (1 - decay_ * decay_))),
+        white_(rms * std::sqrt(1 - law.correlated_noise_share)),
         random_(random) {
-    for (double& value : correlated_) value = rms * std::sqrt(law.slow_share) * random_.normal();
+    for (double& value : correlated_)
+      value = rms * std::sqrt(law.correlated_noise_share) * random_.normal();
   }
   /// Draws the noise of the next sample.
   Value next() {

@@ -19,8 +19,9 @@ HandStream simulate_glove(const SyntheticGlove& options, const GloveBias& bias,
   stream.names.assign(std::begin(human::kGloveSensors), std::end(human::kGloveSensors));
   const auto count = static_cast<Eigen::Index>(std::floor(length_s * options.rate_hz)) + 1;
   stream.angles.resize(count, kSensors);
-  SensorNoise<kSensors> noise({options.slow_share, options.slow_s, options.rate_hz}, options.noise,
-                              random);
+  SensorNoise<kSensors> noise(
+      {options.correlated_noise_share, options.correlation_time_s, options.rate_hz}, options.noise,
+      random);
   for (Eigen::Index i = 0; i < count; ++i) {
     const double time_s = static_cast<double>(i) / options.rate_hz;
     stream.time.push_back(time_s + clock_offset_s);

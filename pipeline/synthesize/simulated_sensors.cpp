@@ -3,7 +3,9 @@
 namespace morphe::synthesize {
 namespace {
 
-NoiseModel noise_law(const SyntheticSensors& o) { return {o.slow_share, o.slow_s, o.rate_hz}; }
+NoiseModel noise_law(const SyntheticSensors& o) {
+  return {o.correlated_noise_share, o.correlation_time_s, o.rate_hz};
+}
 
 /// The position and orientation noise of one tracked body.
 class PoseNoise {
@@ -36,7 +38,7 @@ Quat upper_arm_axes(const human::ArmPose& arm) {
 SensorMounts draw_mounts(const SyntheticSensors& options, math::RandomStream& random) {
   SensorMounts mounts;
   for (Pose& mount : mounts.segment_from_sensor) {
-    const Vec3 away = random.normal_vector3().normalized() * random.uniform(options.mount);
+    const Vec3 away = random.normal_vector3().normalized() * random.uniform(options.sensor_offset);
     mount = make_pose(away, random.rotation());
   }
   return mounts;

@@ -115,9 +115,9 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   truth.hand_length = subject.body.hand.length;
   truth.hand_breadth = subject.body.hand.breadth;
   truth.labels = ground_truth_labels(script, samples);
-  truth.reports.push_back(kinds_report(script));
+  truth.import_notes.push_back(kinds_report(script));
   const double clock_offset_s = of_sensors.uniform(options.glove.clock_offset_s);
-  truth.reports.push_back(fmt::format("the glove's clock is {:.4f} s ahead", clock_offset_s));
+  truth.import_notes.push_back(fmt::format("the glove's clock is {:.4f} s ahead", clock_offset_s));
   made.recorded = truth;
 
   truth.upper_arm = subject.body.arm.upper_arm;
@@ -133,9 +133,9 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   made.recorded.calibration =
       simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
   made.recorded.sensor_offsets =
-      human::sensor_offsets(made.recorded.calibration, made.recorded.reports);
+      human::sensor_offsets(made.recorded.calibration, made.recorded.import_notes);
 
-  if (of_object.bernoulli(options.object.recorded_share)) {
+  if (of_object.bernoulli(options.object.tracked_object_share)) {
     const double height_m = of_object.uniform(options.object.height);
     truth.objects.push_back(carried_object(script, samples, height_m, part.first, part.last));
     made.recorded.objects = truth.objects;

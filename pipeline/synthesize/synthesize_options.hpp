@@ -54,7 +54,7 @@ std::string validation_error(const KindWeights& options);
 /// The movements of a subject: reach, grasp, transport, hold, put back, release, return, rest.
 struct SyntheticMovements {
   /// The number of movements, an integer.
-  UniformRange per_recording = {2, 4};
+  UniformRange movements_per_recording = {2, 4};
   /// The duration of rest before, between and after movements [s].
   UniformRange rest_s = {0.6, 2};
   /// The duration of the whole reach [s]; for a lognormal: time above 5 % of its peak.
@@ -80,16 +80,16 @@ struct SyntheticMovements {
   /// Largest distance of the wrist divided by upper arm + forearm.
   double reach_share = 0.95;
   /// Share of recordings that begin within their first movement.
-  double starts_inside_share = 0;
+  double truncated_start_share = 0;
   /// Share of recordings that end within their last movement.
-  double ends_inside_share = 0;
+  double truncated_end_share = 0;
   /// The relative frequencies of the kinds.
   KindWeights kinds;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticMovements& o) {
-  f("per_recording", o.per_recording);
+  f("movements_per_recording", o.movements_per_recording);
   f("rest_s", o.rest_s);
   f("reach_s", o.reach_s);
   f("grasp_s", o.grasp_s);
@@ -102,8 +102,8 @@ void fields(Fields& f, SyntheticMovements& o) {
   f("height", o.height);
   f("elbow_swivel", o.elbow_swivel);
   f("reach_share", o.reach_share);
-  f("starts_inside_share", o.starts_inside_share);
-  f("ends_inside_share", o.ends_inside_share);
+  f("truncated_start_share", o.truncated_start_share);
+  f("truncated_end_share", o.truncated_end_share);
   f("kinds", o.kinds);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
@@ -112,21 +112,21 @@ std::string validation_error(const SyntheticMovements& options);
 /// The motion of the hand.
 struct SyntheticHand {
   /// Instant of the largest aperture as a share of the reach's duration.
-  UniformRange peak_share = {0.6, 0.74};
+  UniformRange peak_aperture_time = {0.6, 0.74};
   /// Aperture of thumb and index tip in excess of that at the grasp [m].
-  UniformRange opening_excess = {0.02, 0.045};
+  UniformRange peak_aperture_excess = {0.02, 0.045};
   /// Minimum excess of the aperture over that of the resting hand [m].
-  double least_widening = 0.02;
+  double min_aperture_increase = 0.02;
   /// Distance from the axis of a finger to its skin [m].
-  double pad = 0.008;
+  double pad_depth = 0.008;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticHand& o) {
-  f("peak_share", o.peak_share);
-  f("opening_excess", o.opening_excess);
-  f("least_widening", o.least_widening);
-  f("pad", o.pad);
+  f("peak_aperture_time", o.peak_aperture_time);
+  f("peak_aperture_excess", o.peak_aperture_excess);
+  f("min_aperture_increase", o.min_aperture_increase);
+  f("pad_depth", o.pad_depth);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const SyntheticHand& options);
@@ -135,14 +135,15 @@ std::string validation_error(const SyntheticHand& options);
 struct SyntheticObject {
   UniformRange radius = {0.018, 0.036};  ///< [m]
   UniformRange height = {0.08, 0.14};    ///< [m]
-  double recorded_share = 0;  ///< share of recordings that contain it, tracked like the sensors
+  double tracked_object_share =
+      0;  ///< share of recordings that contain it, tracked like the sensors
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticObject& o) {
   f("radius", o.radius);
   f("height", o.height);
-  f("recorded_share", o.recorded_share);
+  f("tracked_object_share", o.tracked_object_share);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const SyntheticObject& options);
@@ -150,7 +151,7 @@ std::string validation_error(const SyntheticObject& options);
 /// The involuntary motion of the body.
 struct SyntheticBody {
   /// Amplitude of the tremor at the wrist [m].
-  double tremor = 0;
+  double tremor_amplitude = 0;
   /// The frequency of the tremor [Hz].
   UniformRange tremor_hz = {8, 12};
   /// Drift of the wrist, slower than 0.3 Hz, rms of each axis [m].
@@ -159,7 +160,7 @@ struct SyntheticBody {
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticBody& o) {
-  f("tremor", o.tremor);
+  f("tremor_amplitude", o.tremor_amplitude);
   f("tremor_hz", o.tremor_hz);
   f("drift", o.drift);
 }
@@ -171,15 +172,15 @@ struct SyntheticSensors {
   /// The sample rate [Hz].
   double rate_hz = 240;
   /// Distance of a sensor from the centre of the joint [m].
-  UniformRange mount = {0.02, 0.06};
+  UniformRange sensor_offset = {0.02, 0.06};
   /// Rms of the position noise of each axis [m].
   double position_noise = 0.00076;
   /// Rms of the orientation noise about each axis: 0.15 degrees [rad].
   double orientation_noise = 0.002618;
   /// Share of the slow component in the variance of the noise, the rest is white.
-  double slow_share = 0.5;
+  double correlated_noise_share = 0.5;
   /// Time constant of the slow component (Ornstein-Uhlenbeck) [s].
-  double slow_s = 1;
+  double correlation_time_s = 1;
   /// Share of the time lost by each sensor.
   double dropout_share = 0;
   /// Duration of one dropout [s].
@@ -189,22 +190,22 @@ struct SyntheticSensors {
   /// Noise of one digitised point, rms of each axis [m].
   double digitising_noise = 0.0005;
   /// Number of times that each point is digitised.
-  int digitised = 5;
+  int digitisation_count = 5;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, SyntheticSensors& o) {
   f("rate_hz", o.rate_hz);
-  f("mount", o.mount);
+  f("sensor_offset", o.sensor_offset);
   f("position_noise", o.position_noise);
   f("orientation_noise", o.orientation_noise);
-  f("slow_share", o.slow_share);
-  f("slow_s", o.slow_s);
+  f("correlated_noise_share", o.correlated_noise_share);
+  f("correlation_time_s", o.correlation_time_s);
   f("dropout_share", o.dropout_share);
   f("dropout_s", o.dropout_s);
   f("calibration_s", o.calibration_s);
   f("digitising_noise", o.digitising_noise);
-  f("digitised", o.digitised);
+  f("digitisation_count", o.digitisation_count);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const SyntheticSensors& options);
@@ -216,9 +217,9 @@ struct SyntheticGlove {
   /// Rms of the noise of each sensor: 1 degree [rad].
   double noise = 0.017453;
   /// Share of the slow component in the variance of the noise, as for the tracker's sensors.
-  double slow_share = 0.5;
+  double correlated_noise_share = 0.5;
   /// Time constant of the slow component [s].
-  double slow_s = 1;
+  double correlation_time_s = 1;
   /// Constant error, standard deviation over the sensors [rad].
   double bias = 0.05;
   /// Step of the readings [rad], 0 for no quantisation.
@@ -235,8 +236,8 @@ template <class Fields>
 void fields(Fields& f, SyntheticGlove& o) {
   f("rate_hz", o.rate_hz);
   f("noise", o.noise);
-  f("slow_share", o.slow_share);
-  f("slow_s", o.slow_s);
+  f("correlated_noise_share", o.correlated_noise_share);
+  f("correlation_time_s", o.correlation_time_s);
   f("bias", o.bias);
   f("quantisation", o.quantisation);
   f("dropout_share", o.dropout_share);

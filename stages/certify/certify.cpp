@@ -87,7 +87,7 @@ std::string tracking_violation(const RobotModel& robot, const Trajectory& trajec
                                const GoalErrors& errors) {
   if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
   const auto sample = static_cast<std::size_t>(errors.worst_sample);
-  return fmt::format("tip {} is {:.2f} mm from its goal at sample {} ({:.3f} s), {:.2f} mm allowed",
+  return fmt::format("{} is {:.2f} mm from its goal at sample {} ({:.3f} s); allowed: {:.2f} mm",
                      robot.tips[static_cast<std::size_t>(errors.worst_tip)].name,
                      1e3 * errors.worst_error, sample, trajectory.time[sample],
                      1e3 * errors.worst_tolerance);
@@ -95,31 +95,30 @@ std::string tracking_violation(const RobotModel& robot, const Trajectory& trajec
 
 std::string tracking_violation(const RobotModel& robot, const InterSampleTipError& between) {
   if (!(between.excess > 0)) return "";
-  return fmt::format(
-      "tip {} is {:.2f} mm from its goal after sample {} ({:.3f} s), {:.2f} mm allowed",
-      robot.tips[static_cast<std::size_t>(between.tip)].name, 1e3 * between.error, between.sample,
-      between.time_s, 1e3 * between.tolerance);
+  return fmt::format("{} is {:.2f} mm from its goal after sample {} ({:.3f} s); allowed: {:.2f} mm",
+                     robot.tips[static_cast<std::size_t>(between.tip)].name, 1e3 * between.error,
+                     between.sample, between.time_s, 1e3 * between.tolerance);
 }
 
 }  // namespace
 
-Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Trajectory& trajectory,
-                                    bool path_was_free) {
+Outcome<Certificate> certify_motion(const collision::CollisionWorld& world,
+                                    Trajectory& trajectory) {
   Outcome<Certificate> result;
   const auto fail = [&](Reason reason, const std::string& sentence) {
     if (!result.failure && !sentence.empty()) result.failure = {reason, sentence};
   };
   if (trajectory.samples() < 2) {
-    fail(Reason::limit, "the trajectory has fewer than two samples");
+    fail(Reason::joint_limit, "the trajectory has fewer than two samples");
     return result;
   }
   Certificate& c = result.value;
   const math::LimitReport limits = math::limit_report(*world.robot, trajectory);
-  c.position_margin = limits.position_margin;
+  c.joint_limit_margin = limits.position_margin;
   c.velocity_ratio = limits.velocity.ratio;
   c.acceleration_ratio = limits.acceleration.ratio;
   c.jerk_ratio = limits.jerk.ratio;
-  fail(Reason::limit, limit_violation(*world.robot, trajectory, limits));
+  fail(Reason::joint_limit, limit_violation(*world.robot, trajectory, limits));
 
   collision::CollisionScratch scratch;
   fill_clearance(world, trajectory, scratch);
@@ -127,25 +126,24 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world, Traj
   c.clearance = nan_if_infinite(
       collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).lower_bound_m);
   c.unchecked_links = world.robot->unchecked_links;
-  fail(path_was_free ? Reason::smoothing : Reason::collision,
-       collision_violation(world, motion, trajectory, scratch));
+  fail(Reason::smoothing_collision, collision_violation(world, motion, trajectory, scratch));
   return result;
 }
 
 Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goals& goals,
                              const Movement& movement, Trajectory& trajectory,
-                             const MappingResult& mapped, bool path_was_free) {
+                             const MappingResult& mapped) {
   collision::CollisionWorld world = around;
   collision::attach_target(trajectory.demonstration_time, trajectory.position, world);
-  Outcome<Certificate> result = certify_motion(world, trajectory, path_was_free);
+  Outcome<Certificate> result = certify_motion(world, trajectory);
   if (trajectory.samples() < 2) return result;
   Certificate& c = result.value;
   const GoalErrors errors =
       goal_errors(*world.robot, goals, movement, world.tolerances, trajectory);
-  c.position_error_max = errors.position_max;
-  c.position_error_mean = errors.position_mean;
-  c.position_error_grasp = errors.position_grasp;
-  c.orientation_error_max = errors.orientation_max;
+  c.tip_error_max = errors.position_max;
+  c.tip_error_mean = errors.position_mean;
+  c.tip_error_grasp = errors.position_grasp;
+  c.tip_orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
   std::string off = tracking_violation(*world.robot, trajectory, errors);
@@ -156,7 +154,7 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
 
   const double human_s =
       trajectory.demonstration_time.back() - trajectory.demonstration_time.front();
-  if (human_s > 0) c.tempo = trajectory.time.back() / human_s;
+  if (human_s > 0) c.duration_ratio = trajectory.time.back() / human_s;
   if (mapped.humanlikeness.cols() > 0) {
     c.humanlikeness_mapped = mean_of_seen(mapped.humanlikeness.col(0));
   }
@@ -167,8 +165,6 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
   c.sparc_human = spectral_arc_length(human);
   c.log_dimensionless_jerk_robot = log_dimensionless_jerk(robot);
   c.log_dimensionless_jerk_human = log_dimensionless_jerk(human);
-  c.repaired = std::any_of(trajectory.origin.begin(), trajectory.origin.end(),
-                           [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   return result;
 }
 

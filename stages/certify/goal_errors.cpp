@@ -34,7 +34,7 @@ double goal_error(const robot::Robot& robot, const std::vector<Pose>& base_from_
 }
 
 double tolerance_of(const Tolerances& tolerances, bool grasp) {
-  return grasp ? tolerances.tracking_grasp : tolerances.tracking;
+  return grasp ? tolerances.tracking_tolerance_grasp : tolerances.tracking_tolerance;
 }
 
 }  // namespace

@@ -67,12 +67,12 @@ Grasp find_grasp(const RobotModel& robot, const Scene& scene, const Movement& mo
   const std::size_t sample =
       std::min(static_cast<std::size_t>(found - times.begin()), times.size() - 1);
   grasp.sample = static_cast<int>(sample);
-  grasp.hand_posture = posture_at(trajectory, sample);
+  grasp.grasp_posture = posture_at(trajectory, sample);
   grasp.pregrasp_posture = widest_posture(robot, trajectory, sample);
   grasp.base_from_object = recorded_pose(*target, times[sample]);
   const Pose object_from_base = grasp.base_from_object.inverse();
   std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(robot, grasp.hand_posture, base_from_frame);
+  robot::forward_kinematics(robot, grasp.grasp_posture, base_from_frame);
   grasp.object_from_palm =
       object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
   grasp.approach_direction =

@@ -16,9 +16,9 @@ void add_pair(const collision::CollisionWorld& world, const collision::PairSepar
               std::size_t first, std::size_t last, double depth_m, FindingRows& rows) {
   const std::string one = collision::first_body_name(world, pair),
                     other = collision::second_body_name(world, pair);
-  rows.add(!pair.other_is_object ? Cause::self
+  rows.add(!pair.other_is_object ? Cause::self_collision
            : other == "table"    ? Cause::table
-                                 : Cause::object,
+                                 : Cause::object_collision,
            one, other, first, last, depth_m);
 }
 
@@ -79,7 +79,7 @@ struct Walk {
     if (world.attached.frame >= 0) {
       object_m = std::max(object_m, world.attached.motion_bounds.dot(travel));
     }
-    const double step_m = std::max(world.tolerances.margin, kMinFclStep_m);
+    const double step_m = std::max(world.tolerances.required_clearance, kMinFclStep_m);
     return std::max(1, static_cast<int>(std::ceil((farthest_m + object_m) / step_m)));
   }
 

@@ -16,7 +16,7 @@ namespace {
 
 /// rounding of positions that were clamped to a limit [rad]
 constexpr double kLimitTolerance_rad = 1e-9;
-constexpr double kJumpPeriod_s = 0.01;     ///< time to which jump_step refers
+constexpr double kJumpPeriod_s = 0.01;     ///< time to which jump_threshold refers
 constexpr double kSlidePerRadian_m = 0.1;  ///< lever of a radian, the length of a finger
 constexpr double kMinJumpRatio = 3;        ///< ratio of a jump to the mean of its neighbours
 
@@ -29,7 +29,7 @@ void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& r
                                 ? std::numeric_limits<double>::infinity()
                                 : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
       if (beyond > kLimitTolerance_rad)
-        rows.add(Cause::limit, robot.joint_names[j], "", k, k, beyond);
+        rows.add(Cause::joint_limit, robot.joint_names[j], "", k, k, beyond);
     }
   }
 }
@@ -42,8 +42,8 @@ void check_tracking(const robot::Robot& robot, const Goals& goals, const Movemen
   for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
     const double time_s = path.demonstration_time[k];
     const double allowed_m = counts_as_grasp(movement, path.demonstration_time, k)
-                                 ? tolerances.tracking_grasp
-                                 : tolerances.tracking;
+                                 ? tolerances.tracking_tolerance_grasp
+                                 : tolerances.tracking_tolerance;
     const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
     robot::forward_kinematics(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
@@ -77,7 +77,7 @@ double mean_of_neighbours(const std::vector<double>& steps, std::size_t k) {
   return 0.5 * (steps[k - 1] + steps[k + 1]);
 }
 
-void check_jumps(const RobotModel& robot, const JointPath& path, double jump_step,
+void check_jumps(const RobotModel& robot, const JointPath& path, double jump_threshold,
                  FindingRows& rows) {
   const auto planned = [&path](std::size_t k) {
     return k < path.origin.size() && path.origin[k] == SampleOrigin::planned;
@@ -85,7 +85,7 @@ void check_jumps(const RobotModel& robot, const JointPath& path, double jump_ste
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const std::vector<double> steps = steps_of(path, static_cast<Eigen::Index>(j));
     const double most =
-        jump_step * (robot::is_prismatic(robot, static_cast<int>(j)) ? kSlidePerRadian_m : 1);
+        jump_threshold * (robot::is_prismatic(robot, static_cast<int>(j)) ? kSlidePerRadian_m : 1);
     for (std::size_t k = 0; k < steps.size(); ++k) {
       if (steps[k] <= most || planned(k) || planned(k + 1)) continue;
       if (steps[k] <= kMinJumpRatio * mean_of_neighbours(steps, k)) continue;
@@ -103,13 +103,14 @@ bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, 
 
 std::string validation_error(const CheckOptions& options) {
   const Tolerances& t = options.tolerances;
-  if (!(t.margin >= 0)) return "margin must not be negative";
-  if (!(t.contact_depth >= 0)) return "contact_depth must not be negative";
-  if (!(t.tracking_grasp > 0 && t.tracking > 0)) return "tracking tolerances must be positive";
-  if (!(t.out_of_reach_share >= 0 && t.out_of_reach_share < 1))
-    return "out_of_reach_share must be at least 0 and below 1";
-  if (!(t.farthest_tip > 0)) return "farthest_tip must be positive";
-  if (!(options.jump_step > 0)) return "jump_step must be positive";
+  if (!(t.required_clearance >= 0)) return "required_clearance must not be negative";
+  if (!(t.max_penetration >= 0)) return "max_penetration must not be negative";
+  if (!(t.tracking_tolerance_grasp > 0 && t.tracking_tolerance > 0))
+    return "tracking tolerances must be positive";
+  if (!(t.max_unreachable_share >= 0 && t.max_unreachable_share < 1))
+    return "max_unreachable_share must be at least 0 and below 1";
+  if (!(t.max_tip_error > 0)) return "max_tip_error must be positive";
+  if (!(options.jump_threshold > 0)) return "jump_threshold must be positive";
   return "";
 }
 
@@ -123,7 +124,7 @@ std::vector<Finding> check_path(const collision::CollisionWorld& world, const Go
   check_collisions(carrying, path, options.engine, rows);
   check_limits(*world.robot, path, rows);
   check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);
-  check_jumps(*world.robot, path, options.jump_step, rows);
+  check_jumps(*world.robot, path, options.jump_threshold, rows);
   return rows.join(path.demonstration_time);
 }
 

@@ -11,27 +11,27 @@ namespace morphe::check {
 
 /// The collision engine: exact distances, certified between samples; or the result of FCL alone, at
 /// samples less than a margin apart.
-enum class Engine { closed, fcl };
-constexpr std::array<std::string_view, 2> names_of(Engine) { return {"closed", "fcl"}; }
+enum class Engine { analytic, fcl };
+constexpr std::array<std::string_view, 2> names_of(Engine) { return {"analytic", "fcl"}; }
 
 /// The options of path checks.
 struct CheckOptions {
   Tolerances tolerances;
-  Engine engine = Engine::closed;
+  Engine engine = Engine::analytic;
   /// a joint step that may be a jump between IK branches [rad per 10 ms]; for a prismatic joint, a
   /// tenth of it [m per 10 ms]
-  double jump_step = 0.06;
+  double jump_threshold = 0.06;
 };
 template <class Fields>
 void fields(Fields& f, CheckOptions& o) {
-  f("margin", o.tolerances.margin);
-  f("contact_depth", o.tolerances.contact_depth);
-  f("tracking_grasp", o.tolerances.tracking_grasp);
-  f("tracking", o.tolerances.tracking);
-  f("out_of_reach_share", o.tolerances.out_of_reach_share);
-  f("farthest_tip", o.tolerances.farthest_tip);
+  f("required_clearance", o.tolerances.required_clearance);
+  f("max_penetration", o.tolerances.max_penetration);
+  f("tracking_tolerance_grasp", o.tolerances.tracking_tolerance_grasp);
+  f("tracking_tolerance", o.tolerances.tracking_tolerance);
+  f("max_unreachable_share", o.tolerances.max_unreachable_share);
+  f("max_tip_error", o.tolerances.max_tip_error);
   f("engine", o.engine);
-  f("jump_step", o.jump_step);
+  f("jump_threshold", o.jump_threshold);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const CheckOptions& options);
@@ -53,10 +53,12 @@ bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, 
 ///   limit                a joint exceeds a limit by more than 1e-9 rad (or is not a number);
 ///                        depth: the excess
 ///   tracking             a tip is farther from its goal than its phase allows (grasp and hold, and
-///                        the samples next to them: tracking_grasp); depth: the excess
-///   jump                 a joint's step is larger than jump_step in its time and 3 times the mean
+///                        the samples next to them: tracking_tolerance_grasp); depth: the excess
+///   jump                 a joint's step is larger than jump_threshold in its time and 3 times the
+///   mean
 ///                        of its neighbours, so that a fast smooth motion is not a jump. Steps to
-///                        or from a planned sample are exempt. Depth: the excess over jump_step
+///                        or from a planned sample are exempt. Depth: the excess over
+///                        jump_threshold
 std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options);

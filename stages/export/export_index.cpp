@@ -33,9 +33,9 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
                {"points", motion.points},
                {"files", files}};
   if (index.motion.rate_hz > 0) {
-    json["limit_use"] = {{"velocity", motion.limits.velocity.ratio},
-                         {"acceleration", motion.limits.acceleration.ratio},
-                         {"jerk", motion.limits.jerk.ratio}};
+    json["limit_ratio"] = {{"velocity", motion.limits.velocity.ratio},
+                           {"acceleration", motion.limits.acceleration.ratio},
+                           {"jerk", motion.limits.jerk.ratio}};
   }
   return json;
 }
@@ -69,9 +69,9 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
     if (!plan.grasp_files.empty()) entry["grasp"] = plan.grasp_files;
     json["plans"].push_back(entry);
   }
-  json["left_out"] = Json::array();
-  for (const SkippedPlan& left : index.left_out) {
-    json["left_out"].push_back({{"plan", left.plan}, {"why", left.why}});
+  json["skipped"] = Json::array();
+  for (const SkippedPlan& one : index.skipped) {
+    json["skipped"].push_back({{"plan", one.plan}, {"reason", one.reason}});
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -32,7 +32,7 @@ struct IndexedPlan {
 
 /// A plan that was not exported, and the reason.
 struct SkippedPlan {
-  std::string plan, why;
+  std::string plan, reason;
 };
 
 /// The information with which a script can execute the files of one export in order.
@@ -42,7 +42,7 @@ struct ExportIndex {
   double rate_hz = 0;  ///< rate of the points, resampled or not
   std::vector<JointGroup> groups;
   std::vector<IndexedPlan> plans;
-  std::vector<SkippedPlan> left_out;
+  std::vector<SkippedPlan> skipped;
 };
 
 /// Returns the index as JSON (docs/formats.md).

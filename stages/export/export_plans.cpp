@@ -58,9 +58,9 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
   PlanMotions found = motions_of(run.reader.robot(), plan, options);
   if (found.rejection_reason.empty() && run.options.format.starts_with("ros") &&
       !fits_ros_duration(found))
-    found.rejection_reason = "takes longer than a ROS message can tell (2^31 s)";
+    found.rejection_reason = "is longer than a ROS message can express (2^31 s)";
   if (!found.rejection_reason.empty()) {
-    run.index.left_out.push_back({run.reader.plan_paths()[i], found.rejection_reason});
+    run.index.skipped.push_back({run.reader.plan_paths()[i], found.rejection_reason});
     return {};
   }
   if (run.index.plans.empty()) {
@@ -105,7 +105,7 @@ void export_grasp(Export& run, const Plan& plan, bool tables) {
   };
   if (tables) {
     add("_contacts.csv", contacts_csv(plan));
-    add("_squeeze.csv", grasp_force_csv(robot, plan));
+    add("_grasp_force.csv", grasp_force_csv(robot, plan));
   } else {
     add("_grasp.json",
         grasp_json(robot, plan, indexed.plan, grasp_time_s(plan, run.options.motion)));
@@ -157,12 +157,13 @@ void export_robomimic(Export& run) {
 
 void check_robomimic(const ExportOptions& options) {
   const auto refuse = [](const char* option, const char* why) {
-    throw InputError(fmt::format("--format robomimic: {}: leave {} out", why, option));
+    throw InputError(fmt::format("--format robomimic: {}: omit {}", why, option));
   };
-  if (options.groups != std::vector<std::string>{"all"}) refuse("--group", "holds all joints");
-  if (options.motion.delay_s > 0) refuse("--delay", "a wait is no demonstration");
+  if (options.groups != std::vector<std::string>{"all"})
+    refuse("--group", "always contains all joints");
+  if (options.motion.delay_s > 0) refuse("--delay", "a wait is not part of a demonstration");
   if (options.motion.approach == ApproachMode::joined)
-    refuse("--approach", "approach and retreat are no demonstration");
+    refuse("--approach", "approach and retreat are not part of a demonstration");
 }
 
 void check_joined(const Export& run) {
@@ -171,7 +172,7 @@ void check_joined(const Export& run) {
     return;
   throw InputError(
       "--approach joined: no plan has an approach: plan with the section `approach` "
-      "(docs/steps/approach.md), or leave --approach out");
+      "(docs/steps/approach.md), or omit --approach");
 }
 
 /// Returns a note on the use of the limits by the quintics between resampled points if it exceeds
@@ -195,9 +196,9 @@ std::string limit_overshoot_note(const Export& run) {
   }
   if (!at) return "";
   return fmt::format(
-      "at {:g} Hz a controller that joins the points by quintics uses up to {:.3g} times the {} "
-      "limit ({}, joint {}). The points lie on the certified curve; without --rate they are its "
-      "samples, and what such a controller runs is the curve itself",
+      "at {:g} Hz a controller that interpolates the points with quintics reaches up to {:.3g} "
+      "times the {} limit ({}, joint {}). The points are on the certified curve; without --rate "
+      "they are its samples, and such a controller follows the certified curve exactly",
       run.options.motion.rate_hz, most.ratio, which, at->plan,
       run.reader.robot().joint_names[static_cast<std::size_t>(most.joint)]);
 }
@@ -224,7 +225,7 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   for (const std::string& words : options.groups) {
     const JointGroup group = joint_group(reader.robot(), words);
     if (std::ranges::count(run.index.groups, group.name, &JointGroup::name) > 0) {
-      throw InputError(fmt::format("--group {}: there is a group '{}' already", words, group.name));
+      throw InputError(fmt::format("--group {}: group '{}' already exists", words, group.name));
     }
     run.index.groups.push_back(group);
   }
@@ -236,7 +237,7 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   run.files.add(fmt::format("index_{}.json", options.format),
                 index_json(run.index, reader.header(), reader.robot()));
   run.files.commit(options.replace);
-  return {run.files.names(), run.index.left_out, limit_overshoot_note(run)};
+  return {run.files.names(), run.index.skipped, limit_overshoot_note(run)};
 }
 
 }  // namespace morphe::exports

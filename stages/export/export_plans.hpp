@@ -25,8 +25,8 @@ struct ExportOptions {
 struct ExportReport {
   /// written files, as names inside the folder; the index is the last
   std::vector<std::string> files;
-  std::vector<SkippedPlan> left_out;  ///< all other plans
-  std::string remark;                 ///< a remark on the files, or ""
+  std::vector<SkippedPlan> skipped;  ///< all other plans
+  std::string remark;                ///< a remark on the files, or ""
 };
 
 /// Exports the plans of a plans.h5 that have a trajectory:

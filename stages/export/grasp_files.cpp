@@ -13,8 +13,7 @@ namespace morphe::exports {
 namespace {
 
 constexpr const char* kGraspNote =
-    "beside the trajectory, never part of it: the certificate speaks of the motion alone, and the "
-    "squeeze goes beyond it";
+    "kept apart from the trajectory: the certificate covers only the motion, not the grasp force";
 
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : std::string();
@@ -52,15 +51,15 @@ std::string grasp_json(const RobotModel& robot, const Plan& plan, const std::str
 
 std::string contacts_csv(const Plan& plan) {
   std::string text =
-      "tip,link,origin,asked_x_m,asked_y_m,asked_z_m,point_x_m,point_y_m,point_z_m,normal_x,"
-      "normal_y,normal_z,gap_m,pad_angle_rad,confidence,force_N,friction_x_N,friction_y_N,"
-      "friction_z_N\n";
+      "tip,link,origin,desired_point_x_m,desired_point_y_m,desired_point_z_m,"
+      "point_x_m,point_y_m,point_z_m,normal_x,normal_y,normal_z,signed_distance_m,pad_angle_rad,"
+      "confidence,normal_force_N,friction_force_x_N,friction_force_y_N,friction_force_z_N\n";
   for (const PadContact& contact : plan.grasp.contacts) {
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(contact.tip),
-                        csv_cell(contact.link), name_of(contact.origin), numbers(contact.asked),
-                        numbers(contact.point), numbers(contact.normal), number(contact.gap),
-                        number(contact.pad_angle), number(contact.confidence),
-                        number(contact.force), numbers(contact.friction));
+    text += fmt::format(
+        "{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(contact.tip), csv_cell(contact.link),
+        name_of(contact.origin), numbers(contact.desired_point), numbers(contact.point),
+        numbers(contact.normal), number(contact.signed_distance), number(contact.pad_angle),
+        number(contact.confidence), number(contact.normal_force), numbers(contact.friction_force));
   }
   return text;
 }
@@ -68,11 +67,11 @@ std::string contacts_csv(const Plan& plan) {
 std::string grasp_force_csv(const RobotModel& robot, const Plan& plan) {
   const JointGroup all = joint_group(robot, "all");
   const Grasp& grasp = plan.grasp;
-  std::string text = "joint,unit,pregrasp,grasp,squeeze_torque,servo_target\n";
+  std::string text = "joint,unit,pregrasp,grasp,grasp_torque,servo_target\n";
   for (std::size_t j = 0; j < all.names.size(); ++j) {
     text += fmt::format("{},{},{},{},{},{}\n", csv_cell(all.names[j]), all.units[j],
-                        at(grasp.pregrasp_posture, j), at(grasp.hand_posture, j),
-                        at(grasp.squeeze_torque, j), at(grasp.squeeze_posture, j));
+                        at(grasp.pregrasp_posture, j), at(grasp.grasp_posture, j),
+                        at(grasp.grasp_torque, j), at(grasp.servo_target, j));
   }
   return text;
 }

@@ -31,11 +31,11 @@ std::vector<int> joint_range(const RobotModel& robot, const std::string& asked,
   if (equals == 0 || dots == std::string::npos) {
     fail(asked, fmt::format("must be {}", kGroupHelp));
   }
-  if (asked.find('/') < equals) fail(asked, "a name of files cannot hold '/'");
+  if (asked.find('/') < equals) fail(asked, "a file name cannot contain '/'");
   const std::size_t first = find_joint(robot, asked, asked.substr(equals + 1, dots - equals - 1));
   const std::size_t last = find_joint(robot, asked, asked.substr(dots + 2));
   if (first > last) {
-    fail(asked, fmt::format("'{}' comes after '{}': change places", robot.joint_names[first],
+    fail(asked, fmt::format("'{}' comes after '{}': swap them", robot.joint_names[first],
                             robot.joint_names[last]));
   }
   std::vector<int> joints;
@@ -64,7 +64,7 @@ std::vector<int> arm_or_hand_joints(const RobotModel& robot, const std::string& 
     if (asked == "all" || arm == (asked == "arm")) joints.push_back(joint);
   }
   if (joints.empty()) {
-    fail(asked, fmt::format("{} has no joints of {}: leave --group out", robot.name,
+    fail(asked, fmt::format("{} has no joints of {}: omit --group", robot.name,
                             asked == "arm" ? "an arm" : "a hand"));
   }
   return joints;

@@ -17,7 +17,7 @@ struct JointGroup {
 };
 
 /// The accepted values of `--group`, for help texts.
-inline constexpr const char* kGroupHelp = "all, arm, hand, or NAME=FIRST..LAST by joints";
+inline constexpr const char* kGroupHelp = "all, arm, hand, or NAME=FIRST..LAST (names of joints)";
 
 /// Returns the joint group for a name. all: all joints; arm: the joints that move the flange, or
 /// the palm if no frame is called flange; hand: all other joints; NAME=FIRST..LAST: the joints from

@@ -14,13 +14,13 @@ namespace {
 std::string trajectory_defect(const Trajectory& t) {
   if (t.samples() < 2) return "the trajectory has fewer than two samples";
   if (!t.position.allFinite() || !t.velocity.allFinite() || !t.acceleration.allFinite()) {
-    return "the trajectory holds what is no number";
+    return "the trajectory contains values that are not finite numbers";
   }
   for (std::size_t i = 0; i < t.samples(); ++i) {
     const bool later = i == 0 ? std::isfinite(t.time[0]) : t.time[i] > t.time[i - 1];
     if (!later || !std::isfinite(t.time[i])) return "the trajectory's time does not increase";
     if (!(static_cast<std::size_t>(t.phase[i]) < enum_count<PhaseKind>()))
-      return "the trajectory holds unknown phases";
+      return "the trajectory contains unknown phases";
   }
   return "";
 }

@@ -150,7 +150,7 @@ std::string continuity_error(const RobotModel& robot, const Trajectory& first,
     Eigen::Index joint = 0;
     const double step = (after.row(0) - before.row(before.rows() - 1)).cwiseAbs().maxCoeff(&joint);
     if (step <= kContinuityTolerance[order]) continue;
-    return fmt::format("the {} of {} steps by {:.2g}", kWhat[order],
+    return fmt::format("the {} of {} jumps by {:.2g}", kWhat[order],
                        robot.joint_names[static_cast<std::size_t>(joint)], step);
   }
   return "";

@@ -35,7 +35,7 @@ void StagedFiles::commit(bool replace) {
     if (replace || !std::filesystem::exists(file.target())) continue;
     if (same_bytes(file.part(), file.target())) continue;
     throw InputError(
-        fmt::format("{}: is there already, with other content: give another --out, or --replace",
+        fmt::format("{}: already exists with other content: give another --out, or --replace",
                     file.target().string()));
   }
   std::vector<std::filesystem::path> made;

@@ -57,7 +57,7 @@ struct Probe {
   /// Returns the name of a body other than the target that is nearer to the finger than the margin;
   /// "" if there is no such body.
   std::string find_obstacle() const {
-    const double margin = world.tolerances.margin;
+    const double margin = world.tolerances.required_clearance;
     for (const auto& [first, second] : world.pairs) {
       if (contains(own, first) == contains(own, second)) continue;
       if (contains(ignored_capsules, first) || contains(ignored_capsules, second)) continue;
@@ -148,7 +148,7 @@ std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size
        opened += kClosingStep_rad) {
     const JointVector open = turned(at, -kClosingStep_rad);
     if (opened > kMaxOpening_rad || open == at) {
-      why = "it is in the target already";
+      why = "it is already inside the target";
       return std::nullopt;
     }
     at = open;
@@ -162,7 +162,7 @@ std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size
     }
     probe.pose(next, time_s);
     if (const std::string what = probe.find_obstacle(); !what.empty()) {
-      why = "it meets " + what;
+      why = "it would collide with " + what;
       return std::nullopt;
     }
     double gap = probe.separation_from_target(pad_capsule).distance;
@@ -181,7 +181,7 @@ std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size
       const Pose target_from_base = probe.base_from_target.inverse();
       FingerClosure closing;
       closing.contact.tip = tip;
-      closing.contact.origin = ContactOrigin::closed;
+      closing.contact.origin = ContactOrigin::auto_closed;
       closing.contact.point = target_from_base * apart.on_second;
       closing.contact.normal = -(target_from_base.linear() * apart.normal);
       const auto frame = static_cast<std::size_t>(robot.tips[tip].frame);
@@ -198,7 +198,7 @@ std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size
     }
     if (!stopped) at = next;
   }
-  why = "its inner links touch before the pad";
+  why = "its inner links touch the target before the pad";
   return std::nullopt;
 }
 
@@ -258,7 +258,8 @@ void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosur
                        Goals& goals) {
   if (closings.empty()) return;
   const HoldInterval when = hold_interval(movement);
-  if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
+  if (goals.tip_to_pad_share.rows == 0)
+    goals.tip_to_pad_share = {goals.frames(), robot.tips.size(), 0.0};
   std::vector<Pose> base_from_frame;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double share = closing_progress(when, goals.time[f]);
@@ -273,11 +274,11 @@ void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosur
       goals.tip_position(f, tip) =
           share < 1 || in_palm ? robot::tracked_point(robot, base_from_frame, tip, 1)
                                : recorded_pose(target, goals.time[f]) * closing.contact.centre;
-      goals.pad_share(f, tip) = 1;
+      goals.tip_to_pad_share(f, tip) = 1;
     }
   }
-  goals.closed.assign(robot.tips.size(), 0);
-  for (const FingerClosure& closing : closings) goals.closed[closing.contact.tip] = 1;
+  goals.auto_closed.assign(robot.tips.size(), 0);
+  for (const FingerClosure& closing : closings) goals.auto_closed[closing.contact.tip] = 1;
 }
 
 }  // namespace morphe::grasp

@@ -38,7 +38,7 @@ std::vector<DesiredContact> demonstrated_contacts(const robot::Robot& robot, con
       gaps += std::abs(gap);
       sum += nearest.point;
     }
-    if (touching == 0 || touching < options.least_share * seen_frames) continue;
+    if (touching == 0 || touching < options.min_contact_share * seen_frames) continue;
     DesiredContact touch;
     touch.tip = tip;
     touch.confidence =
@@ -86,7 +86,8 @@ void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>&
                    Goals& goals) {
   if (touches.empty()) return;
   const HoldInterval when = hold_interval(movement);
-  if (goals.pad_share.rows == 0) goals.pad_share = {goals.frames(), robot.tips.size(), 0.0};
+  if (goals.tip_to_pad_share.rows == 0)
+    goals.tip_to_pad_share = {goals.frames(), robot.tips.size(), 0.0};
   const bool by_palm = !target.object.attached_frame.empty();
   for (const DesiredContact& touch : touches) {
     Vec3 way = Vec3::Zero();  // offset from tip to pad when the target was taken
@@ -108,7 +109,7 @@ void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>&
             std::sqrt(share) * robot.pads[touch.tip].radius + 4 * share * (1 - share) * aperture_m;
         goal = base_from_target * push_outside(target, apart_m, base_from_target.inverse() * goal);
       }
-      goals.pad_share(f, touch.tip) = share;
+      goals.tip_to_pad_share(f, touch.tip) = share;
     }
   }
 }

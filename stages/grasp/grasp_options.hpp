@@ -10,36 +10,36 @@ struct GraspOptions {
   double pad_depth_m = 0.011;
   double touch_distance_m = 0.010;  ///< distance from the surface at which skin touches it
   /// Least share of a tip's seen frames in grasp and hold in which it touches.
-  double least_share = 0.5;
+  double min_contact_share = 0.5;
   /// Clearance of the skin from the object halfway to contact.
   double preshape_clearance_m = 0.005;
   bool close_fingers = true;  ///< true if fingers without goals are closed onto the object
-  /// Allowed depth of pads in the object; replaces check.contact_depth.
-  double contact_depth_m = 0.001;
-  double link_depth_m = 0;      ///< allowed depth of the hand's other links in the object
-  double friction = 0.8;        ///< friction coefficient
-  double torsion_m = 0.002;     ///< torsional friction, that of a pad with a contact radius of 4 mm
-  double mass_kg = 0.3;         ///< mass of the grasped object
-  double squeeze_force = 8;     ///< force of the finger that presses most [N]
-  double squeeze_share = 0.3;   ///< least share of that force for every finger
-  double joint_torque = 1;      ///< torque limit of a finger's joint [N m]
-  double joint_stiffness = 10;  ///< stiffness of the joint's servo [N m/rad]
+  /// Allowed depth of pads in the object; replaces check.max_penetration.
+  double max_penetration_m = 0.001;
+  double max_link_penetration_m = 0;  ///< allowed depth of the hand's other links in the object
+  double friction_coefficient = 0.8;
+  double torsional_friction_m = 0.002;  ///< that of a pad with a contact radius of 4 mm
+  double mass_kg = 0.3;                 ///< mass of the grasped object
+  double max_finger_force = 8;          ///< force of the finger that presses most [N]
+  double min_finger_force_share = 0.3;  ///< least share of that force for every finger
+  double max_joint_torque = 1;          ///< torque limit of a finger's joint [N m]
+  double joint_stiffness = 10;          ///< stiffness of the joint's servo [N m/rad]
 };
 template <class Fields>
 void fields(Fields& f, GraspOptions& o) {
   f("pad_depth", o.pad_depth_m);
-  f("near", o.touch_distance_m);
-  f("least_share", o.least_share);
-  f("aperture", o.preshape_clearance_m);
+  f("touch_distance", o.touch_distance_m);
+  f("min_contact_share", o.min_contact_share);
+  f("preshape_clearance", o.preshape_clearance_m);
   f("close_fingers", o.close_fingers);
-  f("penetration", o.contact_depth_m);
-  f("link_penetration", o.link_depth_m);
-  f("friction", o.friction);
-  f("torsion", o.torsion_m);
+  f("max_penetration", o.max_penetration_m);
+  f("max_link_penetration", o.max_link_penetration_m);
+  f("friction_coefficient", o.friction_coefficient);
+  f("torsional_friction", o.torsional_friction_m);
   f("mass", o.mass_kg);
-  f("squeeze_force", o.squeeze_force);
-  f("squeeze_share", o.squeeze_share);
-  f("joint_torque", o.joint_torque);
+  f("max_finger_force", o.max_finger_force);
+  f("min_finger_force_share", o.min_finger_force_share);
+  f("max_joint_torque", o.max_joint_torque);
   f("joint_stiffness", o.joint_stiffness);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.

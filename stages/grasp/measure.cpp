@@ -26,10 +26,10 @@ std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
     contact.tip = tip.name;
     contact.link = robot.capsules[capsule].name;
     contact.origin = touch.origin;
-    contact.asked = touch.point;
+    contact.desired_point = touch.point;
     contact.point = target_from_base * apart.on_second;
     contact.normal = -(target_from_base.linear() * apart.normal);
-    contact.gap = apart.distance;
+    contact.signed_distance = apart.distance;
     const Vec3 middle =
         scratch.base_from_frame[static_cast<std::size_t>(tip.frame)].linear() * pad.direction;
     contact.pad_angle = std::acos(std::clamp(-middle.dot(apart.normal), -1.0, 1.0));

@@ -51,18 +51,18 @@ ContactModel contact_model(const collision::CollisionWorld& world, const SceneOb
                            const Grasp& grasp) {
   const robot::Robot& robot = *world.robot;
   ContactModel found;
-  found.set.friction = {options.friction, options.torsion_m};
+  found.set.friction = {options.friction_coefficient, options.torsional_friction_m};
   found.set.reference = centre_of_mass(target);
   found.set.torque_scale_m = max_radius(target, found.set.reference);
   for (std::size_t k = 0; k < grasp.contacts.size(); ++k) {
-    if (!(grasp.contacts[k].gap <= kMaxContactGap_m)) continue;
+    if (!(grasp.contacts[k].signed_distance <= kMaxContactGap_m)) continue;
     found.rows.push_back(k);
     found.set.contacts.push_back({grasp.contacts[k].point, grasp.contacts[k].normal});
   }
-  const Eigen::Index joints = grasp.hand_posture.size();
+  const Eigen::Index joints = grasp.grasp_posture.size();
   found.contact_jacobian.setZero(3 * static_cast<Eigen::Index>(found.rows.size()), joints);
   std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(robot, grasp.hand_posture, base_from_frame);
+  robot::forward_kinematics(robot, grasp.grasp_posture, base_from_frame);
   JointVector slope(joints);
   for (std::size_t c = 0; c < found.rows.size(); ++c) {
     const PadContact& contact = grasp.contacts[found.rows[c]];
@@ -116,7 +116,7 @@ constexpr double kMinGraspForceRatio = 0.05;
 constexpr double kMaxResidualRatio = 1e-3;
 
 bool balances(const closure::GraspForces& squeeze, const GraspOptions& options) {
-  return squeeze.max_force_n >= kMinGraspForceRatio * options.squeeze_force &&
+  return squeeze.max_force_n >= kMinGraspForceRatio * options.max_finger_force &&
          squeeze.residual.norm() <= kMaxResidualRatio * squeeze.max_force_n;
 }
 
@@ -127,19 +127,19 @@ closure::GraspForces grasp_forces(const ContactModel& touch, const GraspOptions&
   struct ForceSettings {
     double share, friction_use;
   };
-  const double share = options.squeeze_share;
+  const double share = options.min_finger_force_share;
   closure::GraspForces best;
   for (const ForceSettings way :
        {ForceSettings{share, 0.7}, ForceSettings{share, 0.95}, ForceSettings{share / 3, 0.95},
         ForceSettings{0, 0.95}, ForceSettings{0, 1}}) {
     closure::GraspForceOptions asked;
-    asked.max_force_n = options.squeeze_force;
+    asked.max_force_n = options.max_finger_force;
     asked.min_force_share = way.share;
     asked.friction_cone_share = way.friction_use;
     closure::GraspForces found = closure::distribute_grasp_forces(
-        touch.set, closure::Wrench::Zero(), asked, joint_bounds(touch, options.joint_torque));
+        touch.set, closure::Wrench::Zero(), asked, joint_bounds(touch, options.max_joint_torque));
     if (!balances(found, options)) continue;
-    const bool enough = found.max_force_n >= 0.5 * options.squeeze_force;
+    const bool enough = found.max_force_n >= 0.5 * options.max_finger_force;
     if (enough || best.forces.empty() || found.max_force_n > best.max_force_n)
       best = std::move(found);
     if (enough) break;
@@ -156,22 +156,22 @@ void evaluate_grasp(const collision::CollisionWorld& world, double time_s, const
   const Pose base_from_target = recorded_pose(target, time_s);
   const ContactModel touch = contact_model(world, target, base_from_target, options, grasp);
   GraspQuality& quality = grasp.quality;
-  quality.friction = options.friction;
-  quality.torsion = options.torsion_m;
+  quality.friction_coefficient = options.friction_coefficient;
+  quality.torsional_friction = options.torsional_friction_m;
   quality.mass = options.mass_kg;
-  quality.centre = touch.set.reference;
-  quality.torque_scale = touch.set.torque_scale_m;
+  quality.centre_of_mass = touch.set.reference;
+  quality.characteristic_length = touch.set.torque_scale_m;
   if (touch.rows.size() < 2 || !closure::validation_error(touch.set).empty()) return;
   const closure::FerrariCanny epsilon = closure::ferrari_canny(touch.set, closure::ForceLimit::sum);
   quality.epsilon_lower = epsilon.lower;
   quality.epsilon_upper = epsilon.upper;
-  const closure::Load load{options.mass_kg, quality.centre};
-  quality.needed_worst =
+  const closure::Load load{options.mass_kg, quality.centre_of_mass};
+  quality.required_force_worst =
       closure::worst_gravity_margin(touch.set, load).sufficient_force_n(options.mass_kg);
   const Vec3 down_in_target = base_from_target.linear().transpose() * down;
-  quality.needed_down =
+  quality.required_force_gravity =
       closure::gravity_margin(touch.set, load, down_in_target).sufficient_force_n(options.mass_kg);
-  quality.given = available_force(touch, options.joint_torque);
+  quality.available_force = available_force(touch, options.max_joint_torque);
 
   const closure::GraspForces shared = grasp_forces(touch, options);
   if (shared.forces.empty()) return;
@@ -179,12 +179,12 @@ void evaluate_grasp(const collision::CollisionWorld& world, double time_s, const
   for (std::size_t c = 0; c < touch.rows.size(); ++c) {
     PadContact& contact = grasp.contacts[touch.rows[c]];
     const Vec3& force = shared.forces[c].force;
-    contact.force = force.dot(contact.normal);
-    contact.friction = force - contact.force * contact.normal;
+    contact.normal_force = force.dot(contact.normal);
+    contact.friction_force = force - contact.normal_force * contact.normal;
     forces.segment<3>(3 * static_cast<Eigen::Index>(c)) = force;
   }
-  grasp.squeeze_torque = touch.contact_jacobian.transpose() * forces;
-  grasp.squeeze_posture = grasp.hand_posture + grasp.squeeze_torque / options.joint_stiffness;
+  grasp.grasp_torque = touch.contact_jacobian.transpose() * forces;
+  grasp.servo_target = grasp.grasp_posture + grasp.grasp_torque / options.joint_stiffness;
 }
 
 }  // namespace morphe::grasp

@@ -9,7 +9,7 @@ namespace morphe::grasp {
 inline constexpr double kMaxContactGap_m = 0.002;
 
 /// Evaluates the quality of a grasp (docs/grasp_quality.md) and computes squeeze forces for it.
-/// Fills `quality`, the forces of the contacts, `squeeze_torque` and `squeeze_posture`. Contacts
+/// Fills `quality`, the forces of the contacts, `grasp_torque` and `servo_target`. Contacts
 /// that do not touch are left out; with fewer than two touching contacts the quality is unknown
 /// (NaN). There is no squeeze if no forces inside the friction cones balance.
 ///

@@ -14,8 +14,8 @@ ImportResult write_demonstrations(const ImportRequest& request, const std::files
     if (seen) seen(demonstration);
   });
   for (const ManifestEntry& entry : imported.entries) {
-    for (const std::string& file : {entry.file, entry.static_trial, entry.glove, entry.static_glove,
-                                    entry.glove_calibration, entry.names})
+    for (const std::string& file : {entry.file, entry.static_trial, entry.glove,
+                                    entry.glove_static_trial, entry.glove_calibration, entry.names})
       files::expect_not_input(out, file);
   }
   writer.finish();

@@ -30,7 +30,7 @@ void compute_slack_gradient(const collision::CollisionWorld& world,
 
 std::string validation_error(const ClearanceTerm& term) {
   if (term.weight < 0) return "weight must not be negative";
-  if (term.activation_distance_m <= 0) return "band must be positive";
+  if (term.activation_distance_m <= 0) return "activation_distance must be positive";
   return "";
 }
 

@@ -18,7 +18,7 @@ struct ClearanceTerm {
 template <class Fields>
 void fields(Fields& f, ClearanceTerm& o) {
   f("weight", o.weight);
-  f("band", o.activation_distance_m);
+  f("activation_distance", o.activation_distance_m);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const ClearanceTerm& term);

@@ -63,8 +63,8 @@ JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
 }
 
 solve::MovementOptions fine_grid_options(solve::MovementOptions coarse) {
-  coarse.iterations = std::max(2, coarse.iterations / 2);
-  coarse.relative_value *= 10;
+  coarse.max_iterations = std::max(2, coarse.max_iterations / 2);
+  coarse.relative_tolerance *= 10;
   return coarse;
 }
 

@@ -91,7 +91,7 @@ FingerAngles::FingerAngles(const RobotModel& robot)
     if (hand.tips[tip].finger < 0) continue;
     Finger finger;
     finger.human = static_cast<std::size_t>(hand.tips[tip].finger);
-    finger.curve_share = hand.tips[tip].along;
+    finger.curve_share = hand.tips[tip].finger_curve_share;
     finger.frames = hinges_of(hand, poses, tip);
     finger.tip = tip;
     finger.at_zero = chain_at(hand, poses, finger.frames, tip);

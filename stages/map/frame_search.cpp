@@ -66,15 +66,15 @@ solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
 }
 
 solve::MinimiseOptions limit_evaluations(solve::MinimiseOptions options, int evaluations) {
-  if (options.algorithm == "structured") {
-    options.evaluations = std::min(options.evaluations, evaluations);
+  if (options.algorithm == "trust_region") {
+    options.max_evaluations = std::min(options.max_evaluations, evaluations);
   }
   return options;
 }
 
 SearchStages thorough_stages(const solve::MinimiseOptions& options) {
   solve::MinimiseOptions first = options;  // accurate enough to rank the starts
-  first.relative_value = std::max(options.relative_value, 1e-4);
+  first.relative_tolerance = std::max(options.relative_tolerance, 1e-4);
   return {first, options};
 }
 

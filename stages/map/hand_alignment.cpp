@@ -36,7 +36,7 @@ double breadth_ratio(const HandBones& robot, const HandBones& human,
 std::string validation_error(const HandOptions& options) {
   if (!(options.factor > 0)) return "factor must be positive";
   if (options.scale != HandScale::fixed && options.factor != 1) {
-    return "factor belongs to the scale given";
+    return "factor must be 1 unless scale is fixed";
   }
   return "";
 }
@@ -46,22 +46,22 @@ HandAlignment align_hand(const HandBones& robot, const HandBones& human,
   HandAlignment fit;
   fit.scale = options.factor;
   const bool asked =
-      options.scale != HandScale::fixed || options.at == HandAlignmentPoint::knuckles;
+      options.scale != HandScale::fixed || options.align == HandAlignmentPoint::knuckles;
   if (!asked) return fit;
   const std::vector<std::size_t> fingers = common_fingers(robot, human);
   if (fingers.empty()) {
-    fit.problem = "the lengths of the human's fingers are not known: the hand keeps its size";
+    fit.problem = "the lengths of the person's fingers are unknown: the hand is not scaled";
     return fit;
   }
   if (options.scale == HandScale::finger_length) fit.scale = length_ratio(robot, human, fingers);
-  if (options.scale == HandScale::palm_width) {
+  if (options.scale == HandScale::palm_breadth) {
     if (fingers.size() < 2) {
-      fit.problem = "one finger has no breadth: the hand keeps its size";
+      fit.problem = "one finger gives no hand breadth: the hand is not scaled";
       return fit;
     }
     fit.scale = breadth_ratio(robot, human, fingers);
   }
-  if (options.at == HandAlignmentPoint::knuckles) {
+  if (options.align == HandAlignmentPoint::knuckles) {
     for (const std::size_t f : fingers)
       fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
     fit.offset /= static_cast<double>(fingers.size());

@@ -10,17 +10,19 @@
 namespace morphe::map {
 
 /// The rule for scaling the human's hand if the robot is a hand alone.
-///   given  scaled by `factor`
-///   palm   scaled to the robot's breadth over the knuckles
-///   found  scaled to the largest size at which no finger is longer than the robot's, from the
-///          knuckle's axis to the tip
-enum class HandScale { fixed, palm_width, finger_length };
+///   fixed          scaled by `factor`
+///   palm_breadth   scaled to the robot's breadth over the knuckles
+///   finger_length  scaled to the largest size at which no finger is longer than the robot's, from
+///                  the knuckle's axis to the tip
+enum class HandScale { fixed, palm_breadth, finger_length };
 /// Returns the names of the rules in configurations.
-constexpr std::array<std::string_view, 3> names_of(HandScale) { return {"given", "palm", "found"}; }
+constexpr std::array<std::string_view, 3> names_of(HandScale) {
+  return {"fixed", "palm_breadth", "finger_length"};
+}
 
 /// The points at which the hands are aligned: the human's wrist at the robot's palm, or the human's
 /// knuckles at the robot's. The latter is the same for every choice of the palm's origin.
-enum class HandAlignmentPoint { palm_width, knuckles };
+enum class HandAlignmentPoint { palm, knuckles };
 /// Returns the names of the points in configurations.
 constexpr std::array<std::string_view, 2> names_of(HandAlignmentPoint) {
   return {"palm", "knuckles"};
@@ -28,15 +30,15 @@ constexpr std::array<std::string_view, 2> names_of(HandAlignmentPoint) {
 
 /// Options for robots without an arm (config section `hand`).
 struct HandOptions {
-  HandScale scale = HandScale::fixed;                      ///< rule for scaling the human's hand
-  double factor = 1;                                       ///< scale factor for scale `given`
-  HandAlignmentPoint at = HandAlignmentPoint::palm_width;  ///< points that are aligned
+  HandScale scale = HandScale::fixed;                   ///< rule for scaling the human's hand
+  double factor = 1;                                    ///< scale factor for scale `fixed`
+  HandAlignmentPoint align = HandAlignmentPoint::palm;  ///< points that are aligned
 };
 template <class Fields>
 void fields(Fields& f, HandOptions& o) {
   f("scale", o.scale);
   f("factor", o.factor);
-  f("at", o.at);
+  f("align", o.align);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const HandOptions& options);
@@ -50,9 +52,9 @@ struct HandAlignment {
 };
 
 /// Computes the alignment from the fingers that both hands have, without the thumb:
-///   found   scale = least ratio of the robot's to the human's finger lengths
-///   palm    scale = ratio of the robot's to the human's distance of the outermost knuckles
-///   offset = mean of (robot's knuckle - scale * human's)                       (at knuckles)
+///   finger_length  scale = least ratio of the robot's to the human's finger lengths
+///   palm_breadth   scale = ratio of the robot's to the human's distance of the outermost knuckles
+///   offset = mean of (robot's knuckle - scale * human's)                  (align: knuckles)
 HandAlignment align_hand(const HandBones& robot, const HandBones& human,
                          const HandOptions& options);
 

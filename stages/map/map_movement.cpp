@@ -44,15 +44,15 @@ void measure_frame(const MappingProblem& problem, const Goals& goals, std::size_
     const Pose tip = robot::tip_pose(*problem.robot, scratch.base_from_frame, i);
     const auto col = static_cast<Index>(i);
     if (is_known(goal.tip_orientation[i])) {
-      mapped.orientation_error(row, col) =
+      mapped.tip_orientation_error(row, col) =
           angle_between(Quat(tip.linear()), goal.tip_orientation[i]);
     }
     if (!is_known(goal.tip_position[i])) continue;
     any = true;
-    const Vec3 at =
-        robot::tracked_point(*problem.robot, scratch.base_from_frame, i, goal.pad_share_of(i));
+    const Vec3 at = robot::tracked_point(*problem.robot, scratch.base_from_frame, i,
+                                         goal.tip_to_pad_share_of(i));
     const double error = (at - goal.tip_position[i]).norm();
-    mapped.position_error(row, col) = error;
+    mapped.tip_error(row, col) = error;
     met = met && error < kMetTolerance_m;
     reachable = reachable && goals.reachable(frame, i);
   }
@@ -68,8 +68,8 @@ MappingResult measure(const MappingProblem& problem, const Goals& goals, const J
   const auto tips = static_cast<Index>(goals.tip_position.cols);
   MappingResult mapped;
   mapped.position = q;
-  mapped.position_error = JointRows::Constant(frames, tips, kUnknown);
-  mapped.orientation_error = JointRows::Constant(frames, tips, kUnknown);
+  mapped.tip_error = JointRows::Constant(frames, tips, kUnknown);
+  mapped.tip_orientation_error = JointRows::Constant(frames, tips, kUnknown);
   mapped.humanlikeness = JointRows::Constant(frames, 3, kUnknown);
   MappingScratch scratch;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
@@ -96,7 +96,7 @@ std::vector<Vec3> curve_joints(const robot::Robot& robot, const Goals& goals, st
   const auto joint = [&](std::size_t finger) { return goals.finger_joint_position(frame, finger); };
   std::vector<Vec3> points(robot.tips.size(), unknown_point());
   for (std::size_t tip = 0; tip < points.size(); ++tip) {
-    const double along = robot.tips[tip].along;
+    const double along = robot.tips[tip].finger_curve_share;
     if (!std::isfinite(along)) continue;
     points[tip] = finger_curve_point({joint(1), joint(2), joint(3), joint(4)}, along);
   }
@@ -115,15 +115,16 @@ MappingProblem with_tip_goals(const MappingProblem& problem, const Goals& goals)
 
 MapResult make_result(const MappingProblem& problem, const MappingProblem& tracked, Goals& goals,
                       const JointRows& q, const MapOptions& options, std::uint64_t seed) {
-  const std::vector<bool> reachable =
-      reachable_frames(tracked, q, {options.reachable_starts, options.reachable_m, options.solver},
-                       math::seed_from(seed, "reachable"));
+  const std::vector<bool> reachable = reachable_frames(
+      tracked, q, {options.reach_search_starts, options.reach_tolerance_m, options.frame_solver},
+      math::seed_from(seed, "reachable"));
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     for (std::size_t i = 0; i < goals.reachable.cols; ++i) goals.reachable(f, i) = reachable[f];
   }
   MapResult result;
   result.mapped = measure(problem, goals, q);
-  result.mapped.least_attainable_error = nearest_errors(tracked, q, reachable, options.solver);
+  result.mapped.least_attainable_error =
+      nearest_errors(tracked, q, reachable, options.frame_solver);
   result.posture_error_rad = posture_error(problem, goals, q);
   result.path = {q, std::vector<SampleOrigin>(problem.frames(), SampleOrigin::mapped),
                  problem.time};

@@ -11,7 +11,8 @@ namespace {
 int joint_index(const RobotModel& robot, const std::string& name) {
   const auto found = std::find(robot.joint_names.begin(), robot.joint_names.end(), name);
   if (found == robot.joint_names.end()) {
-    throw InputError("map.natural: robot " + robot.name + " has no actuated joint '" + name + "'");
+    throw InputError("map.natural_posture: robot " + robot.name + " has no actuated joint '" +
+                     name + "'");
   }
   return static_cast<int>(found - robot.joint_names.begin());
 }
@@ -59,8 +60,8 @@ std::string validation_error(const MapOptions& o) {
   o.objective.for_each_term([&](const auto& term) { least = std::min(least, term.weight); });
   if (least < 0) return "weights must not be negative";
   const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
-  if (!(thumb.near_m >= 0 && thumb.near_m < thumb.far_m)) {
-    return "thumb_near must not be negative, and less than thumb_far";
+  if (!(thumb.full_distance_m >= 0 && thumb.full_distance_m < thumb.zero_distance_m)) {
+    return "thumb_full_distance must not be negative, and less than thumb_zero_distance";
   }
   if (const std::string wrong = validation_error(o.phases); !wrong.empty())
     return "phases: " + wrong;
@@ -70,8 +71,8 @@ std::string validation_error(const MapOptions& o) {
     return "key_frames, starts and candidates must be at least 1";
   }
   if (o.coarse_step_s <= 0) return "coarse_step_s must be positive";
-  if (o.reachable_starts < 1 || o.reachable_m <= 0) {
-    return "reachable_starts and reachable_m must be positive";
+  if (o.reach_search_starts < 1 || o.reach_tolerance_m <= 0) {
+    return "reach_search_starts and reach_tolerance_m must be positive";
   }
   return "";
 }
@@ -80,7 +81,7 @@ humanlike::FrameObjective make_objective(const MapOptions& options, const RobotM
   humanlike::FrameObjective objective = options.objective;
   objective.get<humanlike::TipOrientation>().smoothing_rad = options.orientation_smoothing;
   objective.get<humanlike::HandOrientation>().smoothing_rad = options.orientation_smoothing;
-  for (const NaturalJoint& natural : options.natural) {
+  for (const NaturalJoint& natural : options.natural_posture) {
     humanlike::NaturalPosture::Joint entry;
     entry.joint = joint_index(robot, natural.joint);
     entry.follow = natural.follow.empty() ? -1 : joint_index(robot, natural.follow);

@@ -76,12 +76,12 @@ struct MapOptions {
   humanlike::FrameObjective objective = default_objective();  ///< the objective with its weights
   std::vector<PhaseWeights> phases;  ///< factors of these weights in single phases
   double phase_blend_s = 0.2;  ///< time over which the weights are blended from phase to phase
-  double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
-  std::vector<NaturalJoint> natural;    ///< the natural posture
-  BaseOffset free_offset;               ///< offset of the base, optimised with the mapping
-  ClearanceTerm clearance;              ///< penalty on small clearances
+  double orientation_smoothing = 1e-3;        ///< rounds the kink of the unsquared angle [rad]
+  std::vector<NaturalJoint> natural_posture;  ///< joints of fingers without a goal
+  BaseOffset base_offset;                     ///< offset of the base, optimised with the mapping
+  ClearanceTerm clearance;                    ///< penalty on small clearances
   /// True if unseen fingers and the palm respect the target's contact depth.
-  bool clear_of_target = true;
+  bool avoid_target = true;
 
   MovementCost movement_cost;  ///< cost of the whole movement, added to the frames' objectives
   int key_frames = 5;          ///< number of frames at which the global search starts
@@ -89,11 +89,11 @@ struct MapOptions {
   int candidates = 4;          ///< distinct minima kept at each and tracked through the movement
   /// Time step of the grid on which candidate paths are tracked and compared.
   double coarse_step_s = 0.05;
-  int reachable_starts = 256;     ///< random starts before a goal is declared unreachable
-  double reachable_m = 1e-4;      ///< error below which that search regards a goal as reached
-  solve::MinimiseOptions solver;  ///< options for single frames
+  int reach_search_starts = 256;        ///< random starts before a goal is declared unreachable
+  double reach_tolerance_m = 1e-4;      ///< error below which that search regards a goal as reached
+  solve::MinimiseOptions frame_solver;  ///< options for single frames
   /// Options for whole movements.
-  solve::MovementOptions movement;
+  solve::MovementOptions movement_solver;
 };
 template <class Fields>
 void fields(Fields& f, NaturalJoint& o) {
@@ -108,25 +108,25 @@ void fields(Fields& f, MapOptions& o) {
   f("phases", o.phases);
   f("phase_blend_s", o.phase_blend_s);
   f("orientation_smoothing", o.orientation_smoothing);
-  f("natural", o.natural);
-  f("free_offset", o.free_offset);
+  f("natural_posture", o.natural_posture);
+  f("base_offset", o.base_offset);
   f("clearance", o.clearance);
-  f("clear_of_target", o.clear_of_target);
+  f("avoid_target", o.avoid_target);
   f("movement_cost", o.movement_cost);
   f("key_frames", o.key_frames);
   f("starts", o.starts);
   f("candidates", o.candidates);
   f("coarse_step_s", o.coarse_step_s);
-  f("reachable_starts", o.reachable_starts);
-  f("reachable_m", o.reachable_m);
-  f("solver", o.solver);
-  f("movement", o.movement);
+  f("reach_search_starts", o.reach_search_starts);
+  f("reach_tolerance_m", o.reach_tolerance_m);
+  f("frame_solver", o.frame_solver);
+  f("movement_solver", o.movement_solver);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const MapOptions& options);
 
-/// Creates the frame objective from the options for a robot. Throws InputError if `natural` names
-/// an unknown joint.
+/// Creates the frame objective from the options for a robot. Throws InputError if `natural_posture`
+/// names an unknown joint.
 humanlike::FrameObjective make_objective(const MapOptions& options, const RobotModel& robot);
 
 }  // namespace morphe::map

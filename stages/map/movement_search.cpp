@@ -24,7 +24,7 @@ constexpr int kMaxTrackingEvaluations = 5;  ///< evaluations per tracked frame
 IkBranch track_branch(const MappingProblem& problem, std::size_t key, const JointVector& q,
                       solve::MinimiseOptions options, MappingScratch& scratch) {
   options = limit_evaluations(options, kMaxTrackingEvaluations);
-  options.relative_value = std::max(options.relative_value, 1e-5);
+  options.relative_tolerance = std::max(options.relative_tolerance, 1e-5);
   const double share = mean_step(problem.time) / kReferenceStep_s;
   IkBranch way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
                std::vector<double>(problem.frames())};
@@ -61,7 +61,7 @@ constexpr std::size_t kFullySmoothedCount = 2;
 constexpr double kComparisonToleranceFactor = 10;
 
 solve::MovementOptions limit_iterations(solve::MovementOptions options, int iterations) {
-  options.iterations = std::min(options.iterations, iterations);
+  options.max_iterations = std::min(options.max_iterations, iterations);
   return options;
 }
 
@@ -79,9 +79,9 @@ CandidatePath solve_coarse_to_fine(const MappingProblem& problem, const MappingP
                                    const std::vector<std::size_t>& frames, const JointRows& start,
                                    const MapOptions& options) {
   const CandidatePath settled =
-      minimise_path(coarse, start, options.movement_cost, options.movement);
+      minimise_path(coarse, start, options.movement_cost, options.movement_solver);
   return minimise_path(problem, interpolate(settled.q, frames), options.movement_cost,
-                       fine_grid_options(options.movement));
+                       fine_grid_options(options.movement_solver));
 }
 
 /// Returns the equivalent postures that are worth tracking.
@@ -148,12 +148,12 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
     const auto last = static_cast<double>(coarse.frames() - 1);
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
     const auto key = static_cast<std::size_t>(std::lround(position));
-    for (const solve::Minimum& start :
-         search_frame(coarse, key, options.starts, options.candidates, quick_stages(options.solver),
-                      math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
+    for (const solve::Minimum& start : search_frame(
+             coarse, key, options.starts, options.candidates, quick_stages(options.frame_solver),
+             math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
       for (const JointVector& twin : first_equivalent_postures(twins, start.x)) {
         if (on_known_way(key, twin)) continue;
-        ways.push_back(track_branch(coarse, key, twin, options.solver, scratch));
+        ways.push_back(track_branch(coarse, key, twin, options.frame_solver, scratch));
         stopped.push_back(reaches_limit(twins, ways.back().q));
         if (!stopped.back()) break;
       }
@@ -168,11 +168,11 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   for (const JointRows& sequence : sequences) {
     add_if_new(twins, paths,
                minimise_path(coarse, sequence, options.movement_cost,
-                             limit_iterations(options.movement, kScreeningIterations)));
+                             limit_iterations(options.movement_solver, kScreeningIterations)));
   }
   sort_by_value(paths);
-  solve::MovementOptions comparing = options.movement;
-  comparing.relative_value *= kComparisonToleranceFactor;
+  solve::MovementOptions comparing = options.movement_solver;
+  comparing.relative_tolerance *= kComparisonToleranceFactor;
   for (std::size_t k = 0; k < std::min(kFullySmoothedCount, paths.size()); ++k) {
     paths[k] = minimise_path(coarse, paths[k].q, options.movement_cost, comparing);
   }
@@ -192,7 +192,8 @@ CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
   if (*place != frame) frames.insert(place, frame);
   const RoundedProblem coarse(problem_at_frames(problem, frames));
   MappingScratch scratch;
-  const IkBranch followed = track_branch(coarse.problem, key, posture, options.solver, scratch);
+  const IkBranch followed =
+      track_branch(coarse.problem, key, posture, options.frame_solver, scratch);
   return solve_coarse_to_fine(problem, coarse.problem, frames, followed.q, options);
 }
 

@@ -12,7 +12,7 @@ JointRows nearest_errors(const MappingProblem& problem, const JointRows& near,
                          const std::vector<bool>& reachable, const solve::MinimiseOptions& solver) {
   constexpr double kRelativeTolerance = 1e-6;  // relative, sufficient for a reported value
   solve::MinimiseOptions options = solver;
-  options.relative_value = std::max(options.relative_value, kRelativeTolerance);
+  options.relative_tolerance = std::max(options.relative_tolerance, kRelativeTolerance);
   const auto tips = static_cast<Index>(problem.robot->tips.size());
   JointRows errors = JointRows::Constant(near.rows(), tips, kUnknown);
   MappingScratch scratch;
@@ -37,7 +37,7 @@ JointRows nearest_errors(const MappingProblem& problem, const JointRows& near,
       const auto tip = static_cast<std::size_t>(i);
       if (!is_known(goal.tip_position[tip])) continue;
       const Vec3 at =
-          robot::tracked_point(*problem.robot, base_from_frame, tip, goal.pad_share_of(tip));
+          robot::tracked_point(*problem.robot, base_from_frame, tip, goal.tip_to_pad_share_of(tip));
       errors(row, i) = (at - goal.tip_position[tip]).norm();
     }
   }

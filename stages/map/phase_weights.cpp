@@ -24,7 +24,7 @@ std::string validation_error(const std::vector<PhaseWeights>& weights) {
     const PhaseWeights& w = weights[i];
     for (std::size_t k = 0; k < i; ++k) {
       if (weights[k].phase == w.phase)
-        return fmt::format("phase {} is named twice", name_of(w.phase));
+        return fmt::format("phase {} appears twice", name_of(w.phase));
     }
     const humanlike::FrameWeights& s = w.factors;
     if (std::min({s.tip_position, s.tip_orientation, s.humanlike_arm, s.humanlike_fingers}) < 0) {

@@ -59,7 +59,7 @@ Pose place_robot(const RobotModel& robot, const Vec3& human_shoulder,
 }
 
 bool is_hand_only(const RobotModel& robot) {
-  for (const RobotModel::JointCentre& centre : robot.centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
     if (centre.chain == "arm") return false;
   }
   int joints = 0;
@@ -125,7 +125,7 @@ Goals make_goals(const RobotModel& robot, const HumanMotion& motion, const Movem
         goals.tip_orientation(f, i) = turned(motion.wrist_orientation[row]);
         continue;
       }
-      const double along = robot.tips[i].along;
+      const double along = robot.tips[i].finger_curve_share;
       if (std::isfinite(along)) {
         goals.tip_position(f, i) = base_from_world * point_on_curve(motion.tip, row, along);
         continue;

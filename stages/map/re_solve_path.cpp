@@ -79,9 +79,10 @@ JointPath re_solve_windows(const MappingProblem& problem, const JointPath& path,
       return solve_window(problem, frames, window, path.position, change, options.movement_cost,
                           exactness);
     };
-    const JointRows change = solve(some, {}, options.movement) - rows_at(path.position, some);
+    const JointRows change =
+        solve(some, {}, options.movement_solver) - rows_at(path.position, some);
     const JointRows found =
-        solve(all, interpolate(change, some), fine_grid_options(options.movement));
+        solve(all, interpolate(change, some), fine_grid_options(options.movement_solver));
     for (std::size_t frame = begin; frame < end; ++frame) {
       const auto row = static_cast<Index>(frame), k = static_cast<Index>(frame - begin);
       if ((found.row(k) - path.position.row(row)).cwiseAbs().maxCoeff() <= 1e-4) continue;

@@ -30,7 +30,7 @@ double goal_distance(const robot::Robot& robot, const humanlike::FrameGoal& goal
     if (!is_known(other.tip_position[tip])) continue;
     if (!is_known(goal.tip_position[tip])) return std::numeric_limits<double>::infinity();
     double apart = (goal.tip_position[tip] - other.tip_position[tip]).norm();
-    const double shares = std::abs(goal.pad_share_of(tip) - other.pad_share_of(tip));
+    const double shares = std::abs(goal.tip_to_pad_share_of(tip) - other.tip_to_pad_share_of(tip));
     if (shares > 0) {  // the goals refer to different points of the link
       apart += shares * (robot.pads[tip].centre - robot.tips[tip].transform.translation()).norm();
     }
@@ -48,9 +48,10 @@ class ReachabilitySearch {
   /// Returns true if damped least squares brings the tips from a posture to their goals; the
   /// posture is then stored.
   bool try_reach(std::size_t frame, JointVector q) {
-    if (robot::damped_least_squares_ik(
-            *problem_.robot, problem_.goals[frame].tip_position, problem_.goals[frame].pad_share,
-            kMaxIkSteps, options_.tolerance_m, q, ik_scratch_) > options_.tolerance_m) {
+    if (robot::damped_least_squares_ik(*problem_.robot, problem_.goals[frame].tip_position,
+                                       problem_.goals[frame].tip_to_pad_share, kMaxIkSteps,
+                                       options_.tolerance_m, q,
+                                       ik_scratch_) > options_.tolerance_m) {
       return false;
     }
     reached_[frame] = std::move(q);
@@ -88,8 +89,8 @@ class ReachabilitySearch {
     constexpr double kAbandonValueRatio = 2;
     const MappingProblem plain = tip_position_problem(problem_, frame);
     solve::MinimiseOptions first_steps = options_.solver, as_exact = options_.solver;
-    first_steps.relative_value = std::max(first_steps.relative_value, 1e-2);
-    as_exact.relative_value = std::max(as_exact.relative_value, 1e-4 * kSameValueTolerance);
+    first_steps.relative_tolerance = std::max(first_steps.relative_tolerance, 1e-2);
+    as_exact.relative_tolerance = std::max(as_exact.relative_tolerance, 1e-4 * kSameValueTolerance);
     const double tip_weight = plain.objective.get<humanlike::TipPosition>().weight;
     const double met = tip_weight * error_tolerance_m(frame) * error_tolerance_m(frame);
     std::mt19937_64 random(math::seed_from(seed_, "frame", frame));

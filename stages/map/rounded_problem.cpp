@@ -10,6 +10,8 @@ constexpr double kGridStep_m = 0x1p-13, kGridStep_rad = 0x1p-10;
 
 void to_grid(double step, double& value) { value = step * std::round(value / step); }
 
+void to_grid(double& share_or_angle) { to_grid(kGridStep_rad, share_or_angle); }
+
 void to_grid(Vec3& point) {
   for (double& part : point) to_grid(kGridStep_m, part);
 }
@@ -18,26 +20,13 @@ void to_grid(Quat& rotation) {
   Eigen::Index largest = 0;
   rotation.coeffs().cwiseAbs().maxCoeff(&largest);
   if (rotation.coeffs()[largest] < 0) rotation.coeffs() *= -1;
-  for (double& part : rotation.coeffs()) to_grid(kGridStep_rad, part);
+  for (double& part : rotation.coeffs()) to_grid(part);
   rotation.normalize();
 }
 
 template <class Values>
 void all_to_grid(Values& values) {
   for (auto& value : values) to_grid(value);
-}
-
-void goal_to_grid(humanlike::FrameGoal& goal) {
-  all_to_grid(goal.tip_position);
-  all_to_grid(goal.tip_orientation);
-  for (double& share : goal.pad_share) to_grid(kGridStep_rad, share);
-  all_to_grid(goal.pad_normal);
-  to_grid(goal.hand);
-  for (Vec3* point : {&goal.shoulder, &goal.elbow, &goal.wrist}) to_grid(*point);
-  all_to_grid(goal.finger_joint);
-  all_to_grid(goal.interpolated_finger_joint);
-  all_to_grid(goal.chain);
-  for (double& angle : goal.angles) to_grid(kGridStep_rad, angle);
 }
 
 void object_to_grid(SceneObject& object) {
@@ -51,7 +40,9 @@ void object_to_grid(SceneObject& object) {
 RoundedProblem::RoundedProblem(MappingProblem exact)
     : scene(*exact.world->scene), world(*exact.world), problem(std::move(exact)) {
   for (SceneObject& object : scene.objects) object_to_grid(object);
-  for (humanlike::FrameGoal& goal : problem.goals) goal_to_grid(goal);
+  for (humanlike::FrameGoal& goal : problem.goals) {
+    humanlike::for_each_quantity(goal, [](auto& quantity) { to_grid(quantity); });
+  }
   world.scene = &scene;
   problem.world = &world;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/human/arm_angles.hpp"
+#include "core/math/statistics.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 
 namespace morphe::reconstruct {
@@ -15,20 +16,6 @@ namespace {
 
 /// RMS deviation of a length that skin movement cannot explain [m].
 constexpr double kMaxLengthRms_m = 0.02;
-
-/// Returns the median of |b - a| over the frames in which both are seen; NaN if there is no such
-/// frame.
-double median_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  std::vector<double> distances;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double distance = (b[i] - a[i]).norm();
-    if (std::isfinite(distance)) distances.push_back(distance);
-  }
-  if (distances.empty()) return kUnknown;
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
-}
 
 /// Accumulates the root mean square and maximum of values.
 class RmsAccumulator {
@@ -79,8 +66,9 @@ void project_to_bone_length(double length, Vec3& a, Vec3& b) {
 }  // namespace
 
 void enforce_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLengths>& known) {
-  const auto [upper_arm, forearm] = known.value_or(human::ArmLengths{
-      median_distance(motion.shoulder, motion.elbow), median_distance(motion.elbow, motion.wrist)});
+  const auto [upper_arm, forearm] =
+      known.value_or(human::ArmLengths{math::median_distance(motion.shoulder, motion.elbow),
+                                       math::median_distance(motion.elbow, motion.wrist)});
   RmsAccumulator upper_arm_off, forearm_off;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     upper_arm_off.add((motion.elbow[i] - motion.shoulder[i]).norm() - upper_arm);
@@ -89,10 +77,10 @@ void enforce_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLen
   upper_arm_off.report("upper arm length", motion.residuals);
   forearm_off.report("forearm length", motion.residuals);
   if (!known && (upper_arm_off.rms() > kMaxLengthRms_m || forearm_off.rms() > kMaxLengthRms_m)) {
-    motion.reconstruction_notes.push_back(fmt::format(
-        "the tracked joints are no arm: its bones' lengths vary by {:.0f} and {:.0f} mm "
-        "RMS; they are left as they are",
-        1000 * upper_arm_off.rms(), 1000 * forearm_off.rms()));
+    motion.reconstruction_notes.push_back(
+        fmt::format("the tracked joints do not form an arm: the lengths of upper arm and forearm "
+                    "vary by {:.0f} and {:.0f} mm RMS; the joints are used as recorded",
+                    1000 * upper_arm_off.rms(), 1000 * forearm_off.rms()));
     return;
   }
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
@@ -130,7 +118,7 @@ void add_arm_angles(HumanMotion& motion) {
   constexpr double kMaxPositionRms_m = 0.02, kMaxRotationRms_m = 0.3 * kHandLever_m;  // [m]
   if (missed.rms() > kMaxPositionRms_m) {
     motion.reconstruction_notes.push_back(
-        fmt::format("arm angles: elbow or wrist lie {:.0f} mm RMS beyond human joint limits",
+        fmt::format("arm angles: elbow or wrist are {:.0f} mm RMS beyond human joint limits",
                     1000 * missed.rms()));
   }
   if (turned.rms() > kMaxRotationRms_m) {

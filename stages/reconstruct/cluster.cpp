@@ -22,14 +22,11 @@ Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>
 }  // namespace
 
 Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<Vec3>& track) {
-  std::vector<double> places[3];
+  std::vector<Vec3> places;
   for (std::size_t i = 0; i < track.size(); ++i) {
-    const Vec3 place = world_from_body[i].inverse() * track[i];
-    if (!is_known(place)) continue;
-    for (int c = 0; c < 3; ++c) places[c].push_back(place[c]);
+    places.emplace_back(world_from_body[i].inverse() * track[i]);
   }
-  if (places[0].empty()) return unknown_point();
-  return {math::median(places[0]), math::median(places[1]), math::median(places[2])};
+  return math::median_point(places);
 }
 
 std::vector<Pose> fit_poses(const std::vector<Vec3>& shape,

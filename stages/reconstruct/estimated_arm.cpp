@@ -14,24 +14,11 @@ constexpr double kHandLengthShare = 0.108;  // Drillis and Contini 1966
 constexpr double kShoulderBelowHeadShare = 0.115,
                  kShoulderAsideHeadShare = 0.109;  // shares of the stature
 
-Vec3 median_of(const std::vector<Vec3>& points) {
-  Vec3 median = unknown_point();
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    std::vector<double> values;
-    for (const Vec3& point : points) {
-      if (is_known(point)) values.push_back(point[c]);
-    }
-    if (values.empty()) return median;
-    median[c] = math::median(values);
-  }
-  return median;
-}
-
 /// Returns the initial shoulder, below and beside the head or offset from the first wrist; unseen
 /// without either.
 Vec3 initial_shoulder(const human::ArmLengths& lengths, const HumanOptions& human,
                       const std::vector<Vec3>& head, const std::vector<Vec3>& wrist) {
-  const Vec3 above = median_of(head);
+  const Vec3 above = math::median_point(head);
   if (is_known(above)) {
     const double stature_m = lengths.upper_arm / human::arm_lengths_of_stature(1).upper_arm;
     return above + stature_m * Vec3(kShoulderAsideHeadShare, 0, -kShoulderBelowHeadShare);
@@ -44,25 +31,26 @@ void estimate_shoulder(const human::ArmLengths& lengths, const HumanOptions& hum
                        const std::vector<Vec3>& head, HumanMotion& motion) {
   const Vec3 wanted = initial_shoulder(lengths, human, head, motion.wrist);
   if (!is_known(wanted)) return;
-  const double reach = human.reach_share * (lengths.upper_arm + lengths.forearm);
+  const double reach = human.max_reach_share * (lengths.upper_arm + lengths.forearm);
   const std::optional<Vec3> shoulder = human::shoulder_within_reach(wanted, motion.wrist, reach);
   if (!shoulder) {
     motion.reconstruction_notes.push_back(fmt::format(
-        "no fixed shoulder has every wrist position within {:.3f} m: none is estimated", reach));
+        "no fixed shoulder position has all wrist positions within {:.0f} mm: no arm is estimated",
+        kMillimetresPerMetre * reach));
     return;
   }
   std::ranges::fill(motion.shoulder, *shoulder);
   motion.estimated.push_back("shoulder");
   motion.reconstruction_notes.push_back(
-      "the shoulder was not recorded: estimated, as a rule within 65 mm; humanlikeness of the arm "
-      "compares with an estimate");
+      "the shoulder was not recorded: it is estimated (error usually below 65 mm); humanlikeness "
+      "of the arm is relative to an estimate");
 }
 
 void estimate_elbow(const human::ArmLengths& lengths, const HumanOptions& human,
                     HumanMotion& motion) {
   for (std::size_t i = 0; i < motion.elbow.size(); ++i) {
     motion.elbow[i] =
-        human::elbow_from_swivel(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_outward);
+        human::elbow_from_swivel(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_swivel);
   }
   motion.estimated.push_back("elbow");
 }

@@ -20,7 +20,7 @@ human::ArmLengths arm_lengths_of(const Demonstration& demonstration, const Human
 ///             seen, by shares of the stature (0.115 below, 0.129 - 0.02 aside: half of the
 ///             biacromial breadth less the joint's depth); otherwise `shoulder_from_first_wrist`
 ///             from the first wrist; then moved as little as necessary to reach every wrist
-///   elbow     on the circle determined by the lengths, at the swivel angle `elbow_outward` (a
+///   elbow     on the circle determined by the lengths, at the swivel angle `elbow_swivel` (a
 ///             swivel angle optimised for the hand's orientation within human limits is no nearer
 ///             to the person's)
 /// If they are hidden in the five ue-adl trials, shoulders are estimated within 48 to 65 mm RMS,

@@ -61,10 +61,10 @@ void note_gaps(const std::string& name, const std::vector<double>& time,
   if (hidden == 0) return;
   std::string sentence =
       fmt::format("{}: hidden in {} of {} frames, for up to {:.2f} s", name, hidden, n, longest);
-  if (carried > 0) sentence += fmt::format("; carried by its cluster in {}", carried);
-  if (bridged > 0) sentence += fmt::format("; bridged in {}", bridged);
+  if (carried > 0) sentence += fmt::format("; filled in from its cluster in {}", carried);
+  if (bridged > 0) sentence += fmt::format("; interpolated in {}", bridged);
   if (hidden > carried + bridged) {
-    sentence += fmt::format("; left unseen in {}", hidden - carried - bridged);
+    sentence += fmt::format("; missing in {}", hidden - carried - bridged);
   }
   problems.push_back(std::move(sentence));
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/math/low_pass.hpp"
+#include "core/math/statistics.hpp"
 
 namespace morphe::reconstruct {
 namespace {
@@ -20,10 +22,7 @@ double noise_variance(const std::vector<double>& column) {
     if (std::isfinite(second_difference)) second_differences.push_back(std::abs(second_difference));
   }
   if (second_differences.empty()) return 0;
-  const auto middle =
-      second_differences.begin() + static_cast<std::ptrdiff_t>(second_differences.size() / 2);
-  std::nth_element(second_differences.begin(), middle, second_differences.end());
-  const double deviation = *middle / 0.6745;
+  const double deviation = math::median(std::move(second_differences)) / 0.6745;
   return deviation * deviation / 6;
 }
 

@@ -58,7 +58,7 @@ GloveColumns resample_glove(const HandStream& glove, const std::optional<HandStr
                             double late_s, const TimeGrid& clock, const ReconstructOptions& options,
                             std::vector<std::string>& problems) {
   const bool calibrated = flat_hand && flat_hand->kind == HandKind::glove;
-  if (!calibrated) problems.push_back("no flat hand was recorded: the glove's own zero is used");
+  if (!calibrated) problems.push_back("no flat hand was recorded: the zero of the glove is used");
   std::vector<double> time = glove.time;
   for (double& t : time) t -= late_s;
   GloveColumns columns;

@@ -99,8 +99,8 @@ void add_hand_angles(const FittedHand& fitted, HumanMotion& motion) {
   if (!fitted.thumb_base_estimated) return;
   motion.estimated.emplace_back("thumb base");
   motion.reconstruction_notes.emplace_back(
-      "the thumb's base (CMC) was not recorded: put where the proportions of a hand have it, as a "
-      "rule within 2 cm; the thumb's angles and the roll of its tip depend on it");
+      "the thumb's base (CMC) was not recorded: estimated from the proportions of a hand (error "
+      "usually below 20 mm); the thumb's angles and the roll of its tip depend on it");
 }
 
 void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<double>& hand_length,
@@ -120,9 +120,10 @@ void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<do
     });
     motion.reconstruction_notes.push_back(
         nothing ? fmt::format("the hand was never seen twice within reconstruct.max_gap_s ({} s): "
-                              "nothing of it can be rebuilt",
+                              "it cannot be reconstructed",
                               options.max_gap_s)
-                : "the hand's points were never all seen together: its bones are unknown");
+                : "the hand's points were never all seen together: the lengths of its bones are "
+                  "unknown");
     return;
   }
   add_hand_angles(*fitted, motion);
@@ -145,7 +146,8 @@ HumanMotion motion_from_hand(const Demonstration& demonstration,
   const TimeGrid clock = make_time_grid({&hand.time}, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
   add_hand_from_keypoints(hand, demonstration.hand_length, clock, options, motion);
-  motion.reconstruction_notes.push_back("the wrist was not tracked: a hand alone holds no reach");
+  motion.reconstruction_notes.push_back(
+      "the wrist was not tracked: a reach cannot be found without it");
   return motion;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/human/hand.hpp"
 #include "core/math/rigid.hpp"
@@ -20,7 +21,7 @@ double median_over(const std::vector<HandKeypoints>& frames, const Number& numbe
     const double value = number(i);
     if (std::isfinite(value)) values.push_back(value);
   }
-  return values.empty() ? kUnknown : math::median(values);
+  return math::median(std::move(values));
 }
 
 /// Returns the median position of a point in the hand frame.

@@ -10,9 +10,9 @@ namespace morphe::reconstruct {
 /// human joints.
 inline constexpr const char* kLimitViolationResidual = "arm angles";
 
-/// Fails with not_human if that residual exceeds `HumanOptions::beyond_limits_m` (RMS over the
-/// recording): no human arm can have these poses, so the person is rotated or mirrored, or joints
-/// have wrong names.
+/// Fails with not_human if that residual exceeds `HumanOptions::max_limit_violation_m` (RMS over
+/// the recording): no human arm can have these poses, so the person is rotated or mirrored, or
+/// joints have wrong names.
 PlanningFailure check_human_limits(const HumanMotion& motion, const HumanOptions& human);
 
 }  // namespace morphe::reconstruct

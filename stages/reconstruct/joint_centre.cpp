@@ -103,8 +103,7 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
   const bool in_world = first.exists() && !second.exists() && joint.name == "shoulder";
   if (!both && !in_world) {
     motion.reconstruction_notes.push_back(fmt::format(
-        "{}: {} were not seen, and {} has no neighbour to turn "
-        "about: not rebuilt",
+        "{}: {} were not seen, and {} has no neighbour that it rotates about: not reconstructed",
         joint.name, fmt::join(joint.landmarks, ", "), first.exists() ? first.name : second.name));
     return std::vector<Vec3>(frames, unknown_point());
   }
@@ -125,9 +124,9 @@ std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
     if (!known) {
       motion.estimated.push_back(joint.name);
       motion.reconstruction_notes.push_back(fmt::format(
-          "{}: taken where {} and {} turn about each other (to {:.1f} mm rms; {:.0f} mm in doubt "
-          "along the direction that is known least), for not all of {} were seen; a static trial "
-          "shows them",
+          "{}: estimated as the centre of rotation of {} and {} ({:.1f} mm RMS; uncertain by "
+          "{:.0f} mm along the least certain direction), because not all of {} were seen; a static "
+          "trial would show them",
           joint.name, first.name, in_world ? "the world" : second.name, 1000 * pivot.residual_m,
           1000 * pivot.uncertainty_m, fmt::join(joint.landmarks, ", ")));
     }

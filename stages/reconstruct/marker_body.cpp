@@ -39,9 +39,9 @@ void measure_fit(const MarkerBody& body, const std::vector<std::vector<Vec3>>& t
   motion.residuals.push_back(fit);
   if (fit.rms_m > kMaxRigidFitRms_m) {
     const char* why = body.in_static ? "does not fit the static trial" : "is not rigid";
-    motion.reconstruction_notes.push_back(
-        fmt::format("cluster {} {} (rms {:.1f} mm): moved{}", body.name, why, 1000 * fit.rms_m,
-                    body.in_static ? ", or not this subject's" : " on the skin"));
+    motion.reconstruction_notes.push_back(fmt::format(
+        "cluster {} {} (RMS {:.1f} mm): markers moved{}", body.name, why, 1000 * fit.rms_m,
+        body.in_static ? ", or it is another person's trial" : " on the skin"));
   }
 }
 
@@ -80,12 +80,14 @@ MarkerBody make_marker_body(MarkerTrial& trial, const std::string& cluster, bool
     members = in_static;
   } else if (trial.static_trial.available() && members.size() >= kMinClusterMarkers) {
     motion.reconstruction_notes.push_back(fmt::format(
-        "static trial: fewer than three markers of {}: it does not say where joints are", cluster));
+        "static trial: fewer than three markers of {}: it does not give the joint centres",
+        cluster));
   }
   if (members.size() < kMinClusterMarkers) {
     if (needed) {
-      motion.reconstruction_notes.push_back(fmt::format(
-          "cluster {}: {} of its markers were seen, three are needed", cluster, members.size()));
+      motion.reconstruction_notes.push_back(
+          fmt::format("cluster {}: only {} of its markers were seen; three are needed", cluster,
+                      members.size()));
     }
     return body;
   }
@@ -93,7 +95,7 @@ MarkerBody make_marker_body(MarkerTrial& trial, const std::string& cluster, bool
   body.shape = body.in_static ? still : median_shape(body.tracks);
   if (!std::ranges::all_of(body.shape, [](const Vec3& p) { return is_known(p); })) {
     motion.reconstruction_notes.push_back(
-        fmt::format("cluster {}: three of its markers are never seen together", cluster));
+        fmt::format("cluster {}: no three of its markers are ever seen together", cluster));
     body.shape.clear();
     return body;
   }

@@ -42,12 +42,12 @@ void set_marker_tips(const MarkerTrial& trial, HumanMotion& motion) {
   const auto index = tip_marker(trial, "RFTP", motion.reconstruction_notes);
   const bool no_thumb = never_seen(thumb), no_index = never_seen(index);
   if (no_thumb && no_index) {
-    motion.reconstruction_notes.push_back("no fingertip: neither RTHUM nor RFTP was seen");
+    motion.reconstruction_notes.push_back("no fingertips: neither RTHUM nor RFTP was seen");
     return;
   }
   if (no_thumb || no_index) {
     motion.reconstruction_notes.push_back(
-        "one tip alone: its marker is taken for the finger's axis");
+        "only one fingertip was seen: its marker is assumed to be on the finger's axis");
     for (std::size_t i = 0; i < thumb.size(); ++i) {
       motion.tip(i, kThumb) = thumb[i];
       motion.tip(i, kIndex) = index[i];

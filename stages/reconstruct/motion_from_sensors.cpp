@@ -45,7 +45,7 @@ double glove_clock_offset(const GloveColumns& glove, const TimeGrid& clock,
     constexpr double kMinWristRate_rad_s = 0.3, kLowCorrelation = 0.5;  // [rad/s]; a correlation
     if (offset.rate_rms > kMinWristRate_rad_s && offset.correlation < kLowCorrelation) {
       motion.reconstruction_notes.push_back(
-          fmt::format("the glove's wrist does not move as the arm's does (correlation {:.2f}): "
+          fmt::format("the wrist movements of glove and arm do not match (correlation {:.2f}): "
                       "their clocks could not be compared",
                       offset.correlation));
     }
@@ -66,8 +66,7 @@ void add_glove(const Demonstration& demonstration, const TimeGrid& clock,
   const auto& flat_hand = demonstration.calibration.hand;
   if (glove.time.empty() || glove.time.back() < clock.start_s ||
       glove.time.front() > clock.at(clock.count)) {
-    motion.reconstruction_notes.push_back(
-        "the glove's clock has no instant in common with the arm's");
+    motion.reconstruction_notes.push_back("the recordings of glove and arm do not overlap in time");
     return;
   }
   GloveColumns columns =
@@ -113,7 +112,7 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
     motion.wrist = resample(sensors->time, wrist->position, clock, options);
     motion.wrist_orientation = resample(sensors->time, wrist->orientation, clock, options);
   } else {
-    motion.reconstruction_notes.push_back("no body called wrist is tracked");
+    motion.reconstruction_notes.push_back("no body named wrist is tracked");
   }
   if (shoulder) motion.shoulder = resample(sensors->time, shoulder->position, clock, options);
   if (elbow) motion.elbow = resample(sensors->time, elbow->position, clock, options);

@@ -51,8 +51,8 @@ void note_missing(const std::vector<std::pair<const char*, bool>>& joints,
   }
   if (missing.empty()) return;
   problems.push_back(
-      fmt::format("the skeleton has no joint called {} (left_… of a left arm); where it has them "
-                  "under other names, map these with --names or `names:`",
+      fmt::format("the skeleton has no joint named {} (left_… for a left arm); if it has other "
+                  "names, map them with --names or `names:`",
                   fmt::join(missing, ", ")));
 }
 
@@ -74,7 +74,7 @@ void add_fitted_hand(const std::vector<HandKeypoints>& fingers, double rate_hz,
 HumanMotion motion_from_skeleton(const Demonstration& demonstration,
                                  const ReconstructOptions& options, const HumanOptions& human) {
   const BodyStream& body = *demonstration.streams.skeleton;
-  if (body.rebuilt) return motion_from_reconstructed(body, options);
+  if (body.reconstructed) return motion_from_reconstructed(body, options);
   const TimeGrid clock = make_time_grid({&body.time}, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
   const SkeletonJoint shoulder = find_joint(body, "right_shoulder"),

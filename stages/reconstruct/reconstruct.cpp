@@ -25,8 +25,9 @@ std::string validation_error(const HumanOptions& o) {
   for (const auto& length : {o.upper_arm, o.forearm}) {
     if (length && !(*length > 0)) return "upper_arm and forearm must be positive";
   }
-  if (!(o.beyond_limits_m > 0)) return "beyond_limits_m must be positive";
-  if (!(o.reach_share > 0 && o.reach_share < 1)) return "reach_share must lie between 0 and 1";
+  if (!(o.max_limit_violation_m > 0)) return "max_limit_violation_m must be positive";
+  if (!(o.max_reach_share > 0 && o.max_reach_share < 1))
+    return "max_reach_share must lie between 0 and 1";
   return "";
 }
 
@@ -45,7 +46,7 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
                         const HumanOptions& human) {
   if (demonstration.hand == Side::left) {
     HumanMotion motion = reconstruct(mirror_image(demonstration), options, human);
-    motion.reconstruction_notes.push_back("a left hand, mirrored at X = 0 into a right one");
+    motion.reconstruction_notes.push_back("a left hand: mirrored at X = 0 into a right hand");
     return motion;
   }
   // If there are tracked joints, markers belong to objects.
@@ -62,8 +63,8 @@ HumanMotion reconstruct(const Demonstration& demonstration, const ReconstructOpt
   HumanMotion nothing = unseen_motion({});
   nothing.reconstruction_notes.push_back(
       demonstration.streams.arm_angles
-          ? "joint angles alone: the body that they belong to is not known, so no arm is rebuilt"
-          : "neither markers nor tracked bodies: no arm can be rebuilt");
+          ? "joint angles only: the dimensions of the body are unknown, so no arm is reconstructed"
+          : "neither markers nor tracked bodies: no arm can be reconstructed");
   return nothing;
 }
 

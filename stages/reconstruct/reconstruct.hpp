@@ -54,13 +54,14 @@ struct HumanOptions {
   /// seated ue-adl subjects with a resting hand, within 50 mm. It is then moved as little as reach
   /// requires.
   Vec3 shoulder_from_first_wrist = Vec3(0.0, -0.21, 0.24);
-  double reach_share = 0.95;  ///< largest shoulder-wrist distance as a share of upper arm + forearm
+  /// Largest shoulder-wrist distance as a share of upper arm + forearm.
+  double max_reach_share = 0.95;
   /// RMS over a recording above which the arm is not human (human_limits.hpp). Correct recordings
   /// have up to 56 mm, two of a person assumed to face the other way 215 and 243 mm.
-  double beyond_limits_m = 0.1;
+  double max_limit_violation_m = 0.1;
   /// Swivel angle of the elbow to the right [rad]. Medians of the ue-adl trials: 6 to 17 degrees,
   /// 30 in the reach across the body.
-  double elbow_outward = 0.2;
+  double elbow_swivel = 0.2;
 };
 template <class Fields>
 void fields(Fields& f, HumanOptions& o) {
@@ -68,9 +69,9 @@ void fields(Fields& f, HumanOptions& o) {
   f("upper_arm", o.upper_arm);
   f("forearm", o.forearm);
   f("shoulder_from_first_wrist", o.shoulder_from_first_wrist);
-  f("reach_share", o.reach_share);
-  f("elbow_outward", o.elbow_outward);
-  f("beyond_limits_m", o.beyond_limits_m);
+  f("max_reach_share", o.max_reach_share);
+  f("elbow_swivel", o.elbow_swivel);
+  f("max_limit_violation_m", o.max_limit_violation_m);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const HumanOptions& options);

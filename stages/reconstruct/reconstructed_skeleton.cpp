@@ -44,10 +44,9 @@ void note_estimates(HumanMotion& motion) {
   const bool arm = std::ranges::any_of(motion.estimated, [](const std::string& what) {
     return std::ranges::find(kArmPointNames, what) != kArmPointNames.end();
   });
-  motion.reconstruction_notes.push_back(
-      fmt::format("estimated, not recorded, when the motion was rebuilt: {}{}",
-                  fmt::join(motion.estimated, ", "),
-                  arm ? "; humanlikeness of the arm compares with an estimate" : ""));
+  motion.reconstruction_notes.push_back(fmt::format(
+      "estimated during reconstruction, not recorded: {}{}", fmt::join(motion.estimated, ", "),
+      arm ? "; humanlikeness of the arm is relative to an estimate" : ""));
 }
 
 std::vector<Vec3> interpolate_rows(const std::vector<InterpolatedRow>& rows,

@@ -30,7 +30,7 @@ std::optional<BodyTrack> joint_of_sensor(const Demonstration& demonstration,
   const auto offset = find(offsets.sensors, name);
   if (!offset) {
     problems.push_back("the sensor " + name +
-                       " was not calibrated: it is taken to stand at the joint");
+                       " was not calibrated: it is assumed to be at the joint");
     return track;
   }
   for (std::size_t i = 0; i < sensors.time.size(); ++i) {

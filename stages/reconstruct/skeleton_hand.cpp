@@ -33,14 +33,14 @@ Eigen::Matrix3d wrist_from_hand(const SkeletonJoint& wrist, const Digits& digits
   }
   if (!is_known(to_fingers) || !is_known(to_thumb)) {
     motion.reconstruction_notes.push_back(
-        "the skeleton's hand has no knuckles of index, middle and little finger, nor a thumb: how "
-        "the hand is turned is not known");
+        "the skeleton's hand has no knuckles of index, middle and little finger, nor a thumb: the "
+        "orientation of the hand is unknown");
     return unknown;
   }
   if (!(index.exists() && little.exists())) {
     motion.reconstruction_notes.push_back(
-        "the skeleton's hand has no knuckles of index and little finger: its thumb's side is where "
-        "the thumb is on average");
+        "the skeleton's hand has no knuckles of index and little finger: its thumb side is "
+        "estimated from the thumb's mean position");
     motion.estimated.push_back("wrist orientation");
   }
   return hand_axes(to_fingers, to_thumb);
@@ -56,7 +56,8 @@ std::vector<Quat> hand_orientation_from_points(const SkeletonJoint& wrist, const
   std::vector<Quat> world_from_hand(wrist.position.size(), unknown_rotation());
   if (!knuckles && !(middle.exists() && thumb.exists())) {
     motion.reconstruction_notes.push_back(
-        "the points show no knuckles of index and little finger: how the hand is turned is not "
+        "the points show no knuckles of index and little finger: the orientation of the hand is "
+        "not "
         "known");
     return world_from_hand;
   }

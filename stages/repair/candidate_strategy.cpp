@@ -13,9 +13,9 @@ namespace {
 bool fails_at_same_place(const std::vector<Finding>& findings, const Finding& place) {
   constexpr double kSameDepthRatio = 0.8;
   return std::ranges::any_of(findings, [&](const Finding& finding) {
-    return finding.cause == place.cause && finding.first == place.first &&
-           finding.second == place.second && finding.begin_s <= place.end_s &&
-           place.begin_s <= finding.end_s && finding.depth >= kSameDepthRatio * place.depth;
+    return finding.cause == place.cause && finding.subject == place.subject &&
+           finding.other_body == place.other_body && finding.begin_s <= place.end_s &&
+           place.begin_s <= finding.end_s && finding.excess >= kSameDepthRatio * place.excess;
   });
 }
 
@@ -39,12 +39,12 @@ RepairStrategy candidate_strategy(std::string name, std::vector<RepairStrategy> 
     std::vector<RepairStep> steps;
     while (!best.candidate.findings.empty()) {
       if (failed_too_often(ends, best.candidate.findings)) {
-        best.stop_reason = "four courses failed at the same place";
+        best.stop_reason = "stopped: four paths failed at the same place";
         break;
       }
       std::optional<JointPath> course = next(improved);
       if (!course) {
-        best.stop_reason = steps.empty() ? "there is no other course" : "no further course";
+        best.stop_reason = steps.empty() ? "skipped (no other path)" : "no further path";
         break;
       }
       CheckedPath checked{std::move(*course), {}};
@@ -52,7 +52,7 @@ RepairStrategy candidate_strategy(std::string name, std::vector<RepairStrategy> 
       StrategyResult made = run_strategies(rungs, std::move(checked));
       ends.push_back(made.candidate.findings);
       improved = is_better(made.candidate.findings, best.candidate.findings);
-      steps.push_back(make_repair_step(fmt::format("course {}", steps.size() + 1), best.candidate,
+      steps.push_back(make_repair_step(fmt::format("path {}", steps.size() + 1), best.candidate,
                                        made, improved));
       if (improved) best = std::move(made);
     }

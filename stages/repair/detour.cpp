@@ -12,7 +12,8 @@
 namespace morphe::repair {
 namespace {
 
-constexpr const char* kNoPathMessage = "no way was found, or no free sample to begin or end one at";
+constexpr const char* kNoPathMessage =
+    "no detour found, or no collision-free sample at which it could begin or end";
 
 bool collides(const std::vector<Finding>& findings) {
   return std::ranges::any_of(findings, is_collision, &Finding::cause);
@@ -71,11 +72,11 @@ PlanningFailure end_in_collision(const collision::CollisionWorld& world, const J
     const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
     const collision::PairSeparation pair = collision::least_slack(world, q, time_s, scratch);
     if (pair.slack() >= 0) continue;
-    return {row == 0 ? Reason::start_in_collision : Reason::goal_in_collision,
-            fmt::format("{} – {} at the {} ({:.3f} s): {:.4f} m too close",
-                        collision::first_body_name(world, pair),
-                        collision::second_body_name(world, pair), row == 0 ? "start" : "goal",
-                        time_s, -pair.slack())};
+    return {
+        row == 0 ? Reason::start_in_collision : Reason::goal_in_collision,
+        fmt::format("{} is {:.1f} mm too close to {} at the {} ({:.3f} s)",
+                    collision::first_body_name(world, pair), kMillimetresPerMetre * -pair.slack(),
+                    collision::second_body_name(world, pair), row == 0 ? "start" : "goal", time_s)};
   }
   return {};
 }
@@ -85,7 +86,7 @@ PlanningFailure end_in_collision(const collision::CollisionWorld& world, const J
 StrategyResult detour(const DetourContext& around, const CheckedPath& from) {
   StrategyResult made{from};
   if (!collides(from.findings)) {
-    made.stop_reason = "nothing is in the way";
+    made.stop_reason = "skipped (no collision left)";
     return made;
   }
   collision::CollisionWorld world = around.world;  // the attached object moves with this path
@@ -116,18 +117,17 @@ StrategyResult detour(const DetourContext& around, const CheckedPath& from) {
 }
 
 RepairStrategy detour_if_only_collisions(const DetourContext& around) {
-  return {
-      "detour", [&around](const CheckedPath& best) {
-        if (std::ranges::all_of(best.findings, is_collision, &Finding::cause)) {
-          return detour(around, best);
-        }
-        return StrategyResult{best, {}, false, "not tried: a way around cures collisions alone"};
-      }};
+  return {"detour", [&around](const CheckedPath& best) {
+            if (std::ranges::all_of(best.findings, is_collision, &Finding::cause)) {
+              return detour(around, best);
+            }
+            return StrategyResult{best, {}, false, "skipped (a detour removes only collisions)"};
+          }};
 }
 
 StrategyResult detour_from_mapped(const CheckedPath& mapped, const DetourContext& around,
                                   const CheckedPath& best) {
-  if (collides(best.findings)) return {best, {}, false, "not tried: the path collides as it is"};
+  if (collides(best.findings)) return {best, {}, false, "skipped (the path still collides)"};
   StrategyResult made = detour(around, mapped);
   made.failure = {};
   return made;

@@ -43,12 +43,12 @@ bool is_motion_free(const collision::CollisionWorld& world, const collision::Joi
 PaddedWorld padded_world(const collision::CollisionWorld& world, double extra_m) {
   PaddedWorld clear{world, world, std::make_shared<Scene>(*world.scene), std::make_shared<Scene>()};
   clear.environment.scene = clear.scene.get();
-  clear.environment.tolerances.margin += extra_m;
-  clear.environment.tolerances.contact_depth -=
-      std::min(extra_m, world.tolerances.contact_depth) / 2;
+  clear.environment.tolerances.required_clearance += extra_m;
+  clear.environment.tolerances.max_penetration -=
+      std::min(extra_m, world.tolerances.max_penetration) / 2;
   clear.hand.scene = clear.empty_scene.get();
   clear.hand.target = -1;
-  clear.hand.tolerances.margin += std::min(extra_m, kMaxExtraHandClearance_m);
+  clear.hand.tolerances.required_clearance += std::min(extra_m, kMaxExtraHandClearance_m);
   const auto within_hand = [&](const std::array<int, 2>& pair) {
     return in_hand(*world.robot, pair[0]) && in_hand(*world.robot, pair[1]);
   };

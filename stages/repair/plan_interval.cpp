@@ -87,11 +87,11 @@ bool plan_interval(const Interval& interval, const RepairOptions& options, int a
   std::vector<JointVector> vertices;
   space.joints = robot.arm_joints;
   if (!plain && !space.joints.empty() && space.joints.size() < all.size())
-    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.iterations,
+    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.max_iterations,
                                 options.range, math::seed_from(seed, "arm"));
   if (vertices.empty()) {
     space.joints = all;
-    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.iterations,
+    vertices = plan_rrt_connect(interval.untimed_world, space, from, to, options.max_iterations,
                                 options.range, math::seed_from(seed, "all joints"));
   }
   if (vertices.empty()) return false;
@@ -104,7 +104,7 @@ bool plan_interval(const Interval& interval, const RepairOptions& options, int a
   const auto begin = path.demonstration_time.begin() + interval.first;
   if (!plain) {
     pull_towards_original(interval.timed_world, {begin, begin + count}, original,
-                          options.draw_attempts, random, planned);
+                          options.pull_back_attempts, random, planned);
   }
   for (int k = 1; k + 1 < count; ++k) {
     if (planned.row(k) == original.row(k)) continue;

@@ -15,7 +15,7 @@ namespace {
 std::pair<double, double> total_depth(const std::vector<Finding>& findings) {
   std::pair<double, double> sum{0, 0};
   for (const Finding& finding : findings) {
-    (is_collision(finding.cause) ? sum.first : sum.second) += finding.depth;
+    (is_collision(finding.cause) ? sum.first : sum.second) += finding.excess;
   }
   return sum;
 }
@@ -23,15 +23,41 @@ std::pair<double, double> total_depth(const std::vector<Finding>& findings) {
 /// Returns the rank of a cause in reports: collisions, limits, jumps, tips.
 int order_of(Cause cause) {
   if (is_collision(cause)) return 0;
-  return cause == Cause::limit ? 1 : cause == Cause::jump ? 2 : 3;
+  return cause == Cause::joint_limit ? 1 : cause == Cause::jump ? 2 : 3;
 }
 
 /// Returns the failure that corresponds to the worst remaining finding.
 PlanningFailure refusal_of(const std::vector<Finding>& remaining) {
-  constexpr std::array kReasons{Reason::no_path, Reason::limit, Reason::jump, Reason::tracking};
+  constexpr std::array kReasons{Reason::no_path, Reason::joint_limit, Reason::jump,
+                                Reason::tracking};
   const Finding* worst = worst_finding(remaining);
   if (!worst) return {};
   return {kReasons.at(static_cast<std::size_t>(order_of(worst->cause))), sentence(*worst)};
+}
+
+/// Returns the name of the body, fingertip or joint.
+std::string subject_of(const Finding& finding) {
+  const bool joint = finding.cause == Cause::joint_limit || finding.cause == Cause::jump;
+  return (joint ? "joint " : "") + finding.subject;
+}
+
+/// Returns "4.0 mm too close to cup".
+std::string excess_of(const Finding& finding) {
+  if (finding.cause == Cause::joint_limit)
+    return fmt::format("{:.4f} rad beyond its limit", finding.excess);
+  if (finding.cause == Cause::jump)
+    return fmt::format("{:.4f} rad beyond the largest allowed step", finding.excess);
+  const double excess_mm = kMillimetresPerMetre * finding.excess;
+  if (finding.cause == Cause::tracking)
+    return fmt::format("{:.1f} mm beyond its tolerance", excess_mm);
+  return fmt::format("{:.1f} mm too close to {}", excess_mm, finding.other_body);
+}
+
+/// Returns "1.200–1.300 s", or "at 1.200 s" for one frame.
+std::string interval_of(const Finding& finding) {
+  const std::string begin = fmt::format("{:.3f}", finding.begin_s),
+                    end = fmt::format("{:.3f}", finding.end_s);
+  return begin == end ? "at " + begin + " s" : begin + "–" + end + " s";
 }
 
 }  // namespace
@@ -42,7 +68,7 @@ bool is_better(const std::vector<Finding>& a, const std::vector<Finding>& b) {
 
 const Finding* worst_finding(const std::vector<Finding>& findings) {
   const auto worst = std::ranges::min_element(findings, {}, [](const Finding& finding) {
-    return std::pair(order_of(finding.cause), -finding.depth);
+    return std::pair(order_of(finding.cause), -finding.excess);
   });
   return worst == findings.end() ? nullptr : &*worst;
 }
@@ -50,7 +76,7 @@ const Finding* worst_finding(const std::vector<Finding>& findings) {
 bool is_nearly_free(const std::vector<Finding>& findings) {
   constexpr double kMaxNearlyFreeDepth = 0.01;
   return std::ranges::all_of(findings,
-                             [](const Finding& f) { return f.depth <= kMaxNearlyFreeDepth; });
+                             [](const Finding& f) { return f.excess <= kMaxNearlyFreeDepth; });
 }
 
 RepairStep make_repair_step(std::string name, const CheckedPath& from, const StrategyResult& made,
@@ -64,14 +90,14 @@ RepairStep make_repair_step(std::string name, const CheckedPath& from, const Str
     const double time_s = from.path.demonstration_time[static_cast<std::size_t>(row)];
     if (std::isnan(step.begin_s)) step.begin_s = time_s;
     step.end_s = time_s;
-    step.change = std::max(step.change, change);
+    step.max_joint_change = std::max(step.max_joint_change, change);
   }
   const std::vector<Finding>& left = made.candidate.findings;
-  step.findings = static_cast<std::int32_t>(left.size());
-  std::tie(step.collisions, step.others) = total_depth(left);
-  if (const Finding* worst = worst_finding(left)) step.worst = sentence(*worst);
-  step.kept = kept;
-  step.ended = made.failure ? made.failure.detail : made.stop_reason;
+  step.finding_count = static_cast<std::int32_t>(left.size());
+  std::tie(step.collision_depth_sum, step.other_depth_sum) = total_depth(left);
+  if (const Finding* worst = worst_finding(left)) step.worst_finding = sentence(*worst);
+  step.accepted = kept;
+  step.stop_reason = made.failure ? made.failure.detail : made.stop_reason;
   return step;
 }
 
@@ -102,8 +128,7 @@ StrategyResult run_strategies(const std::vector<RepairStrategy>& ladder, Checked
 RepairStrategy only_if_nearly_free(RepairStrategy rung) {
   return {rung.name, [make = std::move(rung.make)](const CheckedPath& best) {
             if (is_nearly_free(best.findings)) return make(best);
-            return StrategyResult{
-                best, {}, false, "not tried: something is wrong by more than 10 mm or 0.01 rad"};
+            return StrategyResult{best, {}, false, "skipped (an error exceeds 10 mm or 0.01 rad)"};
           }};
 }
 
@@ -120,16 +145,16 @@ Outcome<RepairResult> repair_path(const std::vector<RepairStrategy>& ladder, Che
 }
 
 std::string no_path_message(const RepairOptions& options) {
-  return fmt::format("no free path in {} attempts of {} iterations", options.attempts,
-                     options.iterations);
+  return fmt::format("no collision-free path in {} attempts of {} iterations", options.attempts,
+                     options.max_iterations);
+}
+
+std::string excess_text(const Finding& finding) {
+  return subject_of(finding) + " " + excess_of(finding);
 }
 
 std::string sentence(const Finding& finding) {
-  const std::string pair =
-      finding.second.empty() ? finding.first : finding.first + " – " + finding.second;
-  return fmt::format("{}: {} from {:.3f} s to {:.3f} s, {:.4f} {} too much", name_of(finding.cause),
-                     pair, finding.begin_s, finding.end_s, finding.depth,
-                     finding.cause == Cause::limit || finding.cause == Cause::jump ? "rad" : "m");
+  return fmt::format("{} is {}, {}", subject_of(finding), excess_of(finding), interval_of(finding));
 }
 
 }  // namespace morphe::repair

@@ -73,7 +73,10 @@ Outcome<RepairResult> repair_path(const std::vector<RepairStrategy>& ladder, Che
 /// Returns "no free path in 3 attempts of 3000 iterations", which states the effort of the search.
 std::string no_path_message(const RepairOptions& options);
 
-/// Returns "object: palm – cup from 1.200 s to 1.300 s, 0.0040 m too much".
+/// Returns "palm 4.0 mm too close to cup".
+std::string excess_text(const Finding& finding);
+
+/// Returns "palm is 4.0 mm too close to cup, 1.200–1.300 s".
 std::string sentence(const Finding& finding);
 
 }  // namespace morphe::repair

@@ -41,7 +41,7 @@ std::vector<JointVector> find_way(const IntervalWorld& interval, const JointVect
       space.joints = joints;
       if (joints.empty() || !vertices.empty()) continue;
       vertices =
-          plan_rrt_connect(interval, space, from, to, options.iterations, options.range, own);
+          plan_rrt_connect(interval, space, from, to, options.max_iterations, options.range, own);
     }
   }
   return vertices;
@@ -84,7 +84,7 @@ JointPath plan_transit(const collision::CollisionWorld& world, const JointVector
     straight.row(k) = (from + (inside - from) * k / (count - 1.0)).transpose();
   }
   const std::vector<double> times(static_cast<std::size_t>(count), time_s);
-  pull_towards_original(interval.world, times, straight, options.draw_attempts, random, rows);
+  pull_towards_original(interval.world, times, straight, options.pull_back_attempts, random, rows);
   return make_planned_path(rows, time_s);
 }
 

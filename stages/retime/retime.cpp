@@ -30,9 +30,9 @@ std::string path_error(const RobotModel& robot, const JointPath& path) {
   if (samples == 0) return "the path has no samples";
   if (path.position.rows() != static_cast<Eigen::Index>(samples) || path.origin.size() != samples ||
       path.position.cols() != static_cast<Eigen::Index>(robot.joints())) {
-    return "the path's arrays do not fit each other or the robot";
+    return "the sizes of the path's arrays do not match each other or the robot";
   }
-  if (!path.position.allFinite()) return "the path holds positions that are not numbers";
+  if (!path.position.allFinite()) return "the path contains positions that are not finite numbers";
   for (std::size_t i = 0; i < samples; ++i) {
     const double step = i > 0 ? path.demonstration_time[i] - path.demonstration_time[i - 1] : 0;
     if (!std::isfinite(path.demonstration_time[i]) || step < 0) {
@@ -49,8 +49,8 @@ std::string limit_violation(const RobotModel& robot, const JointPath& path) {
   for (Eigen::Index joint = 0; joint < path.position.cols(); ++joint) {
     const std::string& name = robot.joint_names[static_cast<std::size_t>(joint)];
     if (!(robot.velocity[joint] > 0 && robot.acceleration[joint] > 0 && robot.jerk[joint] > 0)) {
-      return fmt::format(
-          "joint {} has a limit of velocity, acceleration or jerk that is not above 0", name);
+      return fmt::format("joint {}: its limits of velocity, acceleration and jerk must be above 0",
+                         name);
     }
     if (!(robot.lower[joint] <= robot.upper[joint])) {
       return fmt::format("joint {} has no range of positions", name);
@@ -75,7 +75,7 @@ ConstrainedPath make_constrained_path(const RobotModel& robot, const JointPath& 
   paced_path.parameterized = parameterize_path(robot, path, kKnotStep_s, keep_pauses);
   std::vector<double> allowance;
   for (const SampleOrigin origin : paced_path.parameterized.origin) {
-    allowance.push_back(origin == SampleOrigin::planned ? options.planned_smoothing : 1);
+    allowance.push_back(origin == SampleOrigin::planned ? options.planned_smoothing_factor : 1);
   }
   PathFit fitted = fit_path(
       robot, paced_path.parameterized.parameter, paced_path.parameterized.position, allowance,
@@ -83,11 +83,11 @@ ConstrainedPath make_constrained_path(const RobotModel& robot, const JointPath& 
   paced_path.spline = std::move(fitted.spline);
   result.tip_deviation = fitted.tip_deviation;
   result.joint_deviation = fitted.joint_deviation;
-  paced_path.velocity = options.limit_share * robot.velocity;
-  paced_path.acceleration = options.limit_share * robot.acceleration;
-  paced_path.jerk = options.limit_share * robot.jerk;
-  paced_path.braking_share = options.limit_share;
-  paced_path.tip_speed = options.tip_speed.value_or(kMaxPathVelocity);
+  paced_path.velocity = options.limit_scaling * robot.velocity;
+  paced_path.acceleration = options.limit_scaling * robot.acceleration;
+  paced_path.jerk = options.limit_scaling * robot.jerk;
+  paced_path.braking_share = options.limit_scaling;
+  paced_path.tip_speed = options.max_tip_speed.value_or(kMaxPathVelocity);
   if (!options.phase_speed.empty()) paced_path.phase_scale.assign(kPhases, 1);
   for (const PhaseSpeed& phase : options.phase_speed) {
     paced_path.phase_scale[static_cast<std::size_t>(phase.phase)] = phase.scale;
@@ -264,7 +264,7 @@ std::string validation_error(const PhaseSpeed& o) {
 
 std::string validation_error(const RetimeOptions& o) {
   if ((o.mode == RetimeMode::duration) != o.duration_s.has_value()) {
-    return "duration_s belongs to the mode duration, which needs it";
+    return "duration_s must be given with mode duration, and only with it";
   }
   if (o.duration_s && !(*o.duration_s > 0 && *o.duration_s <= 3600)) {
     return "duration_s must be above 0 and at most 3600";
@@ -272,22 +272,23 @@ std::string validation_error(const RetimeOptions& o) {
   if (!(o.sample_rate_hz >= 10 && o.sample_rate_hz <= 10000)) {
     return "sample_rate_hz must be 10 to 10000";
   }
-  if (!(o.limit_share >= 1e-3 && o.limit_share <= 1)) return "limit_share must lie in [0.001, 1]";
-  if (o.tip_speed && !(*o.tip_speed >= 1e-3)) return "tip_speed must be at least 0.001";
+  if (!(o.limit_scaling >= 1e-3 && o.limit_scaling <= 1))
+    return "limit_scaling must lie in [0.001, 1]";
+  if (o.max_tip_speed && !(*o.max_tip_speed >= 1e-3)) return "max_tip_speed must be at least 0.001";
   if (!(o.smoothing_s >= 0)) return "smoothing_s must not be negative";
   if (!(o.tip_tolerance >= 0)) return "tip_tolerance must not be negative";
   if (!(o.joint_tolerance >= 0)) return "joint_tolerance must not be negative";
-  if (!(o.planned_smoothing > 0)) return "planned_smoothing must be positive";
+  if (!(o.planned_smoothing_factor > 0)) return "planned_smoothing_factor must be positive";
   return "";
 }
 
 Outcome<RetimeResult> retime(const RobotModel& robot, const JointPath& path,
                              const Movement& movement, const RetimeOptions& options) {
   if (std::string wrong = path_error(robot, path); !wrong.empty()) {
-    return {{}, {Reason::path, std::move(wrong)}};
+    return {{}, {Reason::invalid_path, std::move(wrong)}};
   }
   if (std::string beyond = limit_violation(robot, path); !beyond.empty()) {
-    return {{}, {Reason::limit, std::move(beyond)}};
+    return {{}, {Reason::joint_limit, std::move(beyond)}};
   }
   RetimeResult result;
   const double rate_hz = options.sample_rate_hz;
@@ -299,22 +300,23 @@ Outcome<RetimeResult> retime(const RobotModel& robot, const JointPath& path,
     const double periods = std::floor(*options.duration_s * rate_hz + 1e-9);
     if (!retime_to_duration(static_cast<Eigen::Index>(periods), make, rate_hz, attempt)) {
       return {std::move(result),
-              {Reason::duration,
+              {Reason::duration_too_short,
                fmt::format("the path cannot be followed in {} s", *options.duration_s)}};
     }
   } else {
-    const bool human = options.mode == RetimeMode::human, kept = options.mode == RetimeMode::kept;
-    ConstrainedPath paced_path = make(human || kept);
+    const bool human = options.mode == RetimeMode::human,
+               catch_up = options.mode == RetimeMode::catch_up;
+    ConstrainedPath paced_path = make(human || catch_up);
     const auto pace = [&](ConstrainedPath& c) {
-      return kept    ? catch_up_mode_law(c, rate_hz)
-             : human ? human_mode_law(c, rate_hz)
-                     : fastest_mode_law(c, rate_hz);
+      return catch_up ? catch_up_mode_law(c, rate_hz)
+             : human  ? human_mode_law(c, rate_hz)
+                      : fastest_mode_law(c, rate_hz);
     };
     if (!retime_stretching(paced_path, pace, rate_hz, attempt)) {
       return {std::move(result),
-              {Reason::limit,
-               "no slowdown brings the path within the joints' range, velocity, acceleration and "
-               "jerk in an hour"}};
+              {Reason::joint_limit,
+               "even a duration of one hour does not keep the path within the joints' limits of "
+               "position, velocity, acceleration and jerk"}};
     }
   }
   result.trajectory = std::move(attempt.sampled.trajectory);

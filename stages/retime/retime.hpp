@@ -27,9 +27,9 @@ std::string validation_error(const PhaseSpeed& options);
 
 /// The goal of the time parametrisation: the human's timing wherever the limits allow it; the
 /// fastest motion; a given duration; or the human's timing with delays recovered afterwards.
-enum class RetimeMode { human, fastest, duration, kept };
+enum class RetimeMode { human, fastest, duration, catch_up };
 constexpr std::array<std::string_view, 4> names_of(RetimeMode) {
-  return {"human", "fastest", "duration", "kept"};
+  return {"human", "fastest", "duration", "catch_up"};
 }
 
 /// The options of the time parametrisation.
@@ -37,27 +37,27 @@ struct RetimeOptions {
   RetimeMode mode = RetimeMode::human;
   std::optional<double> duration_s;  ///< total duration in mode duration [s]
   double sample_rate_hz = 500;       ///< of the controller
-  double limit_share = 1;  ///< permitted share of the velocity, acceleration and jerk limits
-  std::optional<double> tip_speed;  ///< greatest speed of any tip [m/s]
+  double limit_scaling = 1;  ///< permitted share of the velocity, acceleration and jerk limits
+  std::optional<double> max_tip_speed;  ///< greatest speed of any tip [m/s]
   /// scales nominal path velocity, joint and tip speed in a phase
   std::vector<PhaseSpeed> phase_speed;
   double smoothing_s = 0.02;  ///< features of the path shorter than about this are smoothed [s] …
   double tip_tolerance = 2e-4;  ///< … unless a tip moves by more than this [m]; 0 means 1e-5 …
   double joint_tolerance = 1e-3;  ///< … or a joint that moves no tip by more [rad]; 0 means 1e-5
-  double planned_smoothing = 4;   ///< factor of duration and tolerances for planned intervals
+  double planned_smoothing_factor = 4;  ///< factor of duration and tolerances for planned intervals
 };
 template <class Fields>
 void fields(Fields& f, RetimeOptions& o) {
   f("mode", o.mode);
   f("duration_s", o.duration_s);
   f("sample_rate_hz", o.sample_rate_hz);
-  f("limit_share", o.limit_share);
-  f("tip_speed", o.tip_speed);
+  f("limit_scaling", o.limit_scaling);
+  f("max_tip_speed", o.max_tip_speed);
   f("phase_speed", o.phase_speed);
   f("smoothing_s", o.smoothing_s);
   f("tip_tolerance", o.tip_tolerance);
   f("joint_tolerance", o.joint_tolerance);
-  f("planned_smoothing", o.planned_smoothing);
+  f("planned_smoothing_factor", o.planned_smoothing_factor);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const RetimeOptions& options);

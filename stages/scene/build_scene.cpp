@@ -98,7 +98,7 @@ std::vector<std::string> mapping_obstacles(const SceneOptions& options, const Sc
   if (find_object(scene.objects, "table")) names.push_back("table");
   for (const auto* list : {&options.objects, &options.file_objects}) {
     for (const ConfiguredObject& object : *list) {
-      if (object.in_mapping && find_object(scene.objects, object.name)) {
+      if (object.avoid_in_mapping && find_object(scene.objects, object.name)) {
         names.push_back(object.name);
       }
     }

@@ -34,7 +34,7 @@ std::string add_relative_objects(const SceneOptions& options, const WorldFrames&
                                  double time_s, Scene& scene);
 
 /// Returns the names of the objects from which the mapping keeps clear: the table and the
-/// configured objects with `in_mapping`, but never the target.
+/// configured objects with `avoid_in_mapping`, but never the target.
 std::vector<std::string> mapping_obstacles(const SceneOptions& options, const Scene& scene);
 
 }  // namespace morphe::scene

@@ -71,7 +71,7 @@ std::string add_relative_objects(const SceneOptions& options, const WorldFrames&
       if (configured.relative_to == ReferenceFrame::world) continue;
       const Pose base_from_frame = frame_of(configured.relative_to, frames);
       if (!is_known(base_from_frame)) {
-        return fmt::format("{} stands relative to the {}, and there is none in this movement",
+        return fmt::format("{} is placed relative to the {}, which does not exist in this movement",
                            configured.name, name_of(configured.relative_to));
       }
       SceneObject& object = scene.objects.emplace_back(configured_body(configured, time_s));

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/math/statistics.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
 #include "stages/scene/configured_body.hpp"
@@ -58,10 +59,7 @@ std::optional<double> resting_height(const HumanMotion& motion, double percentil
     if (is_known(tip)) heights.push_back(tip.z());
   }
   if (heights.empty()) return std::nullopt;
-  const double rank = percentile / 100 * static_cast<double>(heights.size() - 1);
-  const auto at = heights.begin() + static_cast<std::ptrdiff_t>(std::floor(rank));
-  std::nth_element(heights.begin(), at, heights.end());
-  return *at;
+  return math::lower_quantile(std::move(heights), percentile / 100);
 }
 
 SceneObject fixed_body(std::string name, Shape shape, std::vector<double> size, const Vec3& centre,
@@ -86,7 +84,7 @@ std::optional<SceneObject> infer_table(const TableOptions& options, const HumanM
   if (options.height) {
     top = *options.height;
   } else {
-    const std::optional<double> rest = resting_height(motion, options.low_percentile);
+    const std::optional<double> rest = resting_height(motion, options.resting_height_percentile);
     if (!rest) return std::nullopt;
     top = (tips.empty() ? *rest : std::min(*rest, tips.low.z())) - options.tip_clearance;
   }
@@ -143,13 +141,14 @@ double table_top_height(const SceneObject& table) {
   return table.position[0].z() + table.size[2] / 2;
 }
 
-/// Returns the position of the body's frame: the foot on the table, held_at below the midpoint
+/// Returns the position of the body's frame: the foot on the table, grasp_point below the midpoint
 /// between the tips.
 Vec3 position_between_tips(const TargetBody& body, const SceneObject& object, const Quat& turn,
                            const Vec3& between, std::optional<double> foot) {
   const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3::Zero(), turn));
-  const Vec3 held = body.held_at.empty() ? Vec3(extent.center())
-                                         : turn * Vec3(body.held_at[0], body.held_at[1], 0);
+  const Vec3 held = body.grasp_point.empty()
+                        ? Vec3(extent.center())
+                        : turn * Vec3(body.grasp_point[0], body.grasp_point[1], 0);
   const double height = foot ? *foot - extent.min().z() : between.z() - extent.center().z();
   return {between.x() - held.x(), between.y() - held.y(), height};
 }
@@ -182,7 +181,7 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
   const double highest = std::max(tips.thumb.z(), tips.index.z());
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
   const double foot = table ? table_top_height(*table) : middle - options.height / 2;
-  const double height = std::max(options.height, highest + options.rim - foot);
+  const double height = std::max(options.height, highest + options.rim_margin - foot);
   const Vec3 between = (tips.thumb + tips.index) / 2;
   SceneObject target =
       fixed_body(options.name, Shape::cylinder, {radius, height},

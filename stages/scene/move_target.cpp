@@ -29,13 +29,13 @@ struct RigidDisplacement {
 RigidDisplacement target_displacement(const TargetOptions& options, const Pose& world_from_target) {
   RigidDisplacement shift;
   shift.centre = world_from_target.translation();
-  if (options.placed) {
-    shift.translation = options.placed->position - shift.centre;
+  if (options.pose) {
+    shift.translation = options.pose->position - shift.centre;
     shift.rotation =
-        rotation_from_rpy(options.placed->rpy) * Quat(world_from_target.linear()).conjugate();
+        rotation_from_rpy(options.pose->rpy) * Quat(world_from_target.linear()).conjugate();
   } else {
-    shift.translation = options.moved.position;
-    shift.rotation = rotation_from_rpy(options.moved.rpy);
+    shift.translation = options.pose_offset.position;
+    shift.rotation = rotation_from_rpy(options.pose_offset.rpy);
   }
   return shift;
 }
@@ -105,14 +105,13 @@ void move_frame(const RigidDisplacement& shift, double w, std::size_t i, HumanMo
 RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& motion,
                               const Movement& movement, const Scene& scene) {
   RelocatedMovement out{motion, scene};
-  const bool asked = options.target.placed || options.target.moved.position != Vec3::Zero() ||
-                     options.target.moved.rpy != Vec3::Zero();
+  const bool asked = options.target.pose || options.target.pose_offset.position != Vec3::Zero() ||
+                     options.target.pose_offset.rpy != Vec3::Zero();
   if (!asked) return out;
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   SceneObject* target = find_object(out.scene.objects, movement.target);
   if (!grasp || !target) {
-    out.motion.reconstruction_notes.push_back(
-        "nothing is grasped: there is no target to stand elsewhere");
+    out.motion.reconstruction_notes.push_back("nothing is grasped: there is no target to move");
     return out;
   }
   const RigidDisplacement shift =
@@ -133,11 +132,11 @@ RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& mo
   out.motion.arm_angles.resize(0, out.motion.arm_angles.cols());
   out.motion.estimated.emplace_back("transported");
   out.motion.reconstruction_notes.push_back(fmt::format(
-      "transported: {} stands {:.0f} mm from where it stood, turned by {:.0f} degrees{}",
+      "transported: {} is {:.0f} mm from its recorded position, rotated by {:.0f} degrees{}",
       target->name, 1e3 * shift.translation.norm(),
       180 / std::numbers::pi * angle_between(shift.rotation, Quat::Identity()),
       out_of_reach > 0
-          ? fmt::format("; the human's arm would not reach it in {} frames", out_of_reach)
+          ? fmt::format("; the person's arm would not reach it in {} frames", out_of_reach)
           : ""));
 
   if (const auto table = infer_table(options.table, out.motion, movement)) {

@@ -12,9 +12,9 @@ struct RelocatedMovement {
   Scene scene;         ///< with the target at its new pose
 };
 
-/// Adapts a movement to the target pose that `scene.target.placed` or `scene.target.moved` gives.
-/// In the world frame, with c the target's centre at the start of the grasp, d its translation and
-/// R its rotation:
+/// Adapts a movement to the target pose that `scene.target.pose` or `scene.target.pose_offset`
+/// gives. In the world frame, with c the target's centre at the start of the grasp, d its
+/// translation and R its rotation:
 ///   x' = R_w (x - c) + c + w d,  R_w = slerp(1, R, w),  w = 10 s³ - 15 s⁴ + 6 s⁵,
 /// in which s is the share of the wrist's path length from the movement's start to the grasp's (of
 /// the time, if the wrist is not seen). It is 0 and 1 at these two, so that the movement begins as

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "core/math/rotation.hpp"
+#include "core/math/statistics.hpp"
 #include "core/motion/human_motion.hpp"
 
 namespace morphe::scene {
@@ -26,20 +26,6 @@ constexpr std::string_view kOtherArmLabel = "the person's other arm";
 
 bool any_seen(const Points& points) {
   return std::ranges::any_of(points, [](const Vec3& point) { return is_known(point); });
-}
-
-/// Returns the median of the distances between two tracks; no value if they were never seen
-/// together.
-std::optional<double> median_distance(const Points& from, const Points& to) {
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const double length = (to[i] - from[i]).norm();
-    if (std::isfinite(length)) lengths.push_back(length);
-  }
-  if (lengths.empty()) return std::nullopt;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::ranges::nth_element(lengths, middle);
-  return *middle;
 }
 
 /// Returns the mean of the fingertips in a frame; the thumb only if no other tip is seen.
@@ -61,11 +47,12 @@ Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
   const std::size_t frames = motion.time.size();
   Points ends(frames);
   for (std::size_t i = 0; i < frames; ++i) ends[i] = middle_of_tips(motion, i);
-  const std::optional<double> seen_m = median_distance(motion.wrist, ends);
-  const std::optional<double> forearm_m = median_distance(motion.elbow, motion.wrist);
-  const double length_m = seen_m      ? *seen_m
-                          : forearm_m ? kHandForearmRatio * *forearm_m
-                                      : kDefaultHandLength_m;
+  // NaN if the two were never seen together.
+  const double seen_m = math::median_distance(motion.wrist, ends);
+  const double forearm_m = math::median_distance(motion.elbow, motion.wrist);
+  const double length_m = std::isfinite(seen_m)      ? seen_m
+                          : std::isfinite(forearm_m) ? kHandForearmRatio * forearm_m
+                                                     : kDefaultHandLength_m;
   std::size_t as_turned = 0, straight = 0;
   for (std::size_t i = 0; i < frames; ++i) {
     if (is_known(ends[i]) || !is_known(motion.wrist[i])) continue;
@@ -78,11 +65,12 @@ Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
       ++straight;
     }
   }
-  for (const auto& [count, how] : {std::pair{as_turned, "as the hand is turned"},
-                                   std::pair{straight, "straight on from its forearm"}}) {
+  for (const auto& [count, how] : {std::pair{as_turned, "along the hand's orientation"},
+                                   std::pair{straight, "in line with its forearm"}}) {
     if (count == 0) continue;
-    notes.push_back(fmt::format("{}: no fingertip seen in {} of {} frames: there the hand lies {}",
-                                kOtherArmLabel, count, frames, how));
+    notes.push_back(
+        fmt::format("{}: no fingertip seen in {} of {} frames: there the hand is placed {}",
+                    kOtherArmLabel, count, frames, how));
   }
   return ends;
 }
@@ -95,10 +83,10 @@ void note_gaps(const SceneObject& body, const std::vector<double>& time,
   for (std::size_t k = 1; k < body.time.size(); ++k) {
     longest_s = std::max(longest_s, body.time[k] - body.time[k - 1]);
   }
-  notes.push_back(fmt::format(
-      "{}: not seen in {} of {} frames, for up to {:.2f} s: it goes straight from where "
-      "it was seen to where it is seen next, and stays where it is first and last seen",
-      body.name, time.size() - body.time.size(), time.size(), longest_s));
+  notes.push_back(
+      fmt::format("{}: not seen in {} of {} frames, for up to {:.2f} s: interpolated linearly "
+                  "between, and held before the first and after the last",
+                  body.name, time.size() - body.time.size(), time.size(), longest_s));
 }
 
 /// Returns the capsule between two joints, without poses if they were never seen together.
@@ -107,9 +95,9 @@ SceneObject capsule_between(const char* name, double radius_m, const std::vector
   SceneObject body;
   body.name = name;
   body.shape = Shape::capsule;
-  const std::optional<double> length_m = median_distance(from, to);
-  if (!length_m) return body;
-  body.size = {radius_m, *length_m};
+  const double length_m = math::median_distance(from, to);
+  if (std::isnan(length_m)) return body;
+  body.size = {radius_m, length_m};
   double longest_m = 0;
   Quat turn = Quat::Identity();  // shortest rotation from frame to frame
   for (std::size_t i = 0; i < time.size(); ++i) {
@@ -123,10 +111,11 @@ SceneObject capsule_between(const char* name, double radius_m, const std::vector
   }
   if (body.time.empty()) return body;
   note_gaps(body, time, notes);
-  if (longest_m > *length_m + 2 * radius_m) {
+  if (longest_m > length_m + 2 * radius_m) {
     notes.push_back(
-        fmt::format("{}: {:.0f} mm long, but {:.0f} mm in a frame: its joints then stand out of it",
-                    name, 1e3 * *length_m, 1e3 * longest_m));
+        fmt::format("{}: {:.0f} mm long, but its joints are {:.0f} mm apart in a frame: they are "
+                    "then outside of it",
+                    name, 1e3 * length_m, 1e3 * longest_m));
   }
   return body;
 }
@@ -138,8 +127,7 @@ void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) 
     joints += (joints.empty() ? "" : " and ") + std::string(joint);
   }
   if (joints.empty()) return;
-  notes.push_back(
-      fmt::format("{}: {} not recorded: it lies where it is estimated", kOtherArmLabel, joints));
+  notes.push_back(fmt::format("{}: {} not recorded: estimated", kOtherArmLabel, joints));
 }
 
 }  // namespace
@@ -147,7 +135,7 @@ void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) 
 std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const HumanMotion& other,
                                             std::vector<std::string>& notes) {
   if (!any_seen(other.shoulder) && !any_seen(other.elbow) && !any_seen(other.wrist)) {
-    notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kOtherArmLabel));
+    notes.push_back(fmt::format("{} was not recorded: it is not an obstacle", kOtherArmLabel));
     return {};
   }
   note_estimates(other, notes);
@@ -160,7 +148,7 @@ std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const H
     SceneObject body =
         capsule_between(kNames[k], options.other_arm_radii[k], other.time, *from, *to, notes);
     if (body.time.empty()) {
-      notes.push_back(fmt::format("{} was not recorded: it is no obstacle", kNames[k]));
+      notes.push_back(fmt::format("{} was not recorded: it is not an obstacle", kNames[k]));
     } else {
       capsules.push_back(std::move(body));
     }

@@ -7,7 +7,7 @@
 #include "core/config/fields.hpp"
 #include "core/motion/bounding_box.hpp"
 #include "core/motion/count_with_noun.hpp"
-#include "core/moveit/problem.hpp"
+#include "core/moveit/planning_scene.hpp"
 #include "stages/scene/other_arm.hpp"
 #include "stages/scene/scene_options.hpp"
 #include "stages/scene/scene_schema.hpp"
@@ -38,8 +38,8 @@ std::string mesh_size_error(const std::string& file, const SceneObject& mesh, do
         file, long_m, 0.001 * long_m, 0.0254 * long_m);
   }
   if (scale != 1 && long_m < kSmallestMesh_m) {
-    return fmt::format("{} is {:.2g} mm long with scale: {}: leave scale out if its numbers are m",
-                       file, 1e3 * long_m, scale);
+    return fmt::format("{} is {:.2g} mm long with scale: {}: omit scale if its numbers are m", file,
+                       1e3 * long_m, scale);
   }
   return "";
 }
@@ -94,8 +94,9 @@ std::size_t size_parameter_count(Shape shape) {
 template <class Options>
 std::string shape_error(const Options& o) {
   if (o.shape == "mesh" || o.shape == "convex") {
-    if (o.file.empty()) return fmt::format("file: a {} needs one", o.shape);
-    if (!o.size.empty()) return fmt::format("size: a {} has that of its file", o.shape);
+    if (o.file.empty()) return fmt::format("file: required for a {}", o.shape);
+    if (!o.size.empty())
+      return fmt::format("size: not allowed for a {}, which has the size of its file", o.shape);
     return o.scale > 0 ? "" : fmt::format("scale: must be positive, not {}", o.scale);
   }
   const std::optional<Shape> shape = enum_from_name<Shape>(o.shape);
@@ -103,7 +104,7 @@ std::string shape_error(const Options& o) {
     return fmt::format("shape: must be sphere, box, cylinder, capsule, convex or mesh, not '{}'",
                        o.shape);
   }
-  if (!o.file.empty()) return fmt::format("file: a {} has none", o.shape);
+  if (!o.file.empty()) return fmt::format("file: not allowed for a {}", o.shape);
   if (o.size.size() != size_parameter_count(*shape)) {
     return fmt::format("size: a {} needs {}, not {}", o.shape,
                        count_with_noun(size_parameter_count(*shape), "number"), o.size.size());
@@ -131,8 +132,8 @@ std::string validation_error(const ConfiguredObject& o) {
 }
 
 std::string validation_error(const TargetBody& o) {
-  if (!o.held_at.empty() && o.held_at.size() != 2)
-    return fmt::format("held_at: needs x and y, not {} numbers", o.held_at.size());
+  if (!o.grasp_point.empty() && o.grasp_point.size() != 2)
+    return fmt::format("grasp_point: needs x and y, not {} numbers", o.grasp_point.size());
   return shape_error(o);
 }
 
@@ -143,8 +144,9 @@ std::string validation_error(const TableOptions& o) {
   }
   if (!(o.thickness > 0)) return fmt::format("thickness: must be positive, not {}", o.thickness);
   if (o.tip_clearance < 0) return "tip_clearance: must not be negative";
-  if (o.low_percentile < 0 || o.low_percentile > 100) {
-    return fmt::format("low_percentile: must be in [0, 100], not {}", o.low_percentile);
+  if (o.resting_height_percentile < 0 || o.resting_height_percentile > 100) {
+    return fmt::format("resting_height_percentile: must be in [0, 100], not {}",
+                       o.resting_height_percentile);
   }
   if (o.side_margin < 0) return "side_margin: must not be negative";
   return "";
@@ -158,11 +160,11 @@ std::string validation_error(const TargetOptions& o) {
   if (o.radius && !(*o.radius > 0)) {
     return fmt::format("radius: must be positive, not {}", *o.radius);
   }
-  if (o.radius && o.body) return "radius: the body has a size of its own";
+  if (o.radius && o.body) return "radius: not allowed together with body, which has its own size";
   if (o.pad_depth < 0) return "pad_depth: must not be negative";
-  if (o.rim < 0) return "rim: must not be negative";
-  if (o.placed && (o.moved.position != Vec3::Zero() || o.moved.rpy != Vec3::Zero())) {
-    return "placed: the target is moved already";
+  if (o.rim_margin < 0) return "rim_margin: must not be negative";
+  if (o.pose && (o.pose_offset.position != Vec3::Zero() || o.pose_offset.rpy != Vec3::Zero())) {
+    return "pose: not allowed together with pose_offset";
   }
   return "";
 }
@@ -170,22 +172,22 @@ std::string validation_error(const TargetOptions& o) {
 std::string validation_error(const SceneOptions& o) {
   const std::vector<double>& radii = o.other_arm_radii;
   if (radii.size() != 3 || std::ranges::any_of(radii, [](double r) { return !(r > 0); })) {
-    return "other_arm_radii: needs those of upper arm, forearm and hand, all positive";
+    return "other_arm_radii: needs three positive radii: of upper arm, forearm and hand";
   }
   if (is_other_arm_part(o, o.target.name)) {
-    return fmt::format("target: the name '{}' is the other arm's", o.target.name);
+    return fmt::format("target: the name '{}' is used by the other arm", o.target.name);
   }
   std::set<std::string> names;
   if (o.target.infer) names.insert(o.target.name);
   for (const auto* list : {&o.objects, &o.file_objects}) {
     for (const ConfiguredObject& object : *list) {
       if (!names.insert(object.name).second || is_other_arm_part(o, object.name)) {
-        return fmt::format("objects: the name '{}' is taken", object.name);
+        return fmt::format("objects: the name '{}' is already used", object.name);
       }
       if (object.relative_to == ReferenceFrame::table && !o.table.infer && !o.table.height) {
         return fmt::format(
-            "objects: {} is relative_to: table, and table.infer: false: give "
-            "table.height, or another relative_to",
+            "objects: {} is relative_to: table, but table.infer is false: give table.height, or "
+            "another relative_to",
             object.name);
       }
     }
@@ -204,7 +206,7 @@ void load_file(SceneOptions& options, const config::ConfigNode& node) {
     const bool own_table = options.table.infer || options.table.height;
     for (const ConfiguredObject& object : options.file_objects) {
       if (own_table && object.name == "table")
-        root["world"].fail("has a table: say table.infer: false");
+        root["world"].fail("contains a table: set scene.table.infer to false");
     }
   } else {
     SceneFile file;

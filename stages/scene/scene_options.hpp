@@ -27,9 +27,9 @@ constexpr std::array<std::string_view, 5> names_of(ReferenceFrame) {
 /// The point of an object that `position` refers to: its own origin (the centre of a shape, the
 /// origin of a file's coordinates), or its foot, that is in its final orientation the middle of its
 /// extent in x and y and its lowest point in z.
-enum class Anchor { origin, bottom };
+enum class Anchor { origin, bottom_centre };
 /// Returns the names of the anchors in configurations.
-constexpr std::array<std::string_view, 2> names_of(Anchor) { return {"origin", "foot"}; }
+constexpr std::array<std::string_view, 2> names_of(Anchor) { return {"origin", "bottom_centre"}; }
 
 /// A fixed object of the configuration.
 struct ConfiguredObject {
@@ -44,7 +44,7 @@ struct ConfiguredObject {
   Anchor anchor = Anchor::origin;                      ///< the point that `position` refers to
   Vec3 position = Vec3::Zero();                        ///< position of the anchor [m]
   Vec3 rpy = Vec3::Zero();                             ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
-  bool in_mapping = true;  ///< true if the mapping's clearance term includes it
+  bool avoid_in_mapping = true;  ///< true if the mapping's clearance term includes it
 
   SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
 };
@@ -59,7 +59,7 @@ void fields(Fields& f, ConfiguredObject& o) {
   f("anchor", o.anchor);
   f.required("position", o.position);
   f("rpy", o.rpy);
-  f("in_mapping", o.in_mapping);
+  f("avoid_in_mapping", o.avoid_in_mapping);
 }
 /// Returns a sentence about the first invalid field, or "" if all are valid.
 std::string validation_error(const ConfiguredObject& object);
@@ -71,7 +71,7 @@ struct TableOptions {
   std::optional<double> height;  ///< height of its top; overrides the inferred height [m]
   /// The tips' resting height is this percentile of all heights in the recording, so that a single
   /// outlier has no effect.
-  double low_percentile = 5;
+  double resting_height_percentile = 5;
   /// Least distance of the top below the resting height and below every planned tip goal, since a
   /// tip goal is on the finger's axis (the robot's finger radius 0.011 plus a millimetre) [m].
   double tip_clearance = 0.012;
@@ -89,7 +89,7 @@ template <class Fields>
 void fields(Fields& f, TableOptions& o) {
   f("infer", o.infer);
   f("height", o.height);
-  f("low_percentile", o.low_percentile);
+  f("resting_height_percentile", o.resting_height_percentile);
   f("tip_clearance", o.tip_clearance);
   f("thickness", o.thickness);
   f("size", o.size);
@@ -124,7 +124,7 @@ void fields(Fields& f, TargetPoseOffset& o) {
 }
 
 /// The shape of the target, if it is known. It is placed on the table, between thumb and index tip
-/// at the grasp. A recorded target gets this shape too, in its recorded frame; held_at and rpy
+/// at the grasp. A recorded target gets this shape too, in its recorded frame; grasp_point and rpy
 /// apply only to a target that was not recorded.
 struct TargetBody {
   std::string shape = "mesh";  ///< shape, size [m], file and scale as of a ConfiguredObject
@@ -135,7 +135,7 @@ struct TargetBody {
   Vec3 rpy = Vec3::Zero();
   /// x, y in its own frame of the point below the midpoint between the tips; if empty, the middle
   /// of its extent in its final orientation [m].
-  std::vector<double> held_at;
+  std::vector<double> grasp_point;
 
   SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
 };
@@ -146,7 +146,7 @@ void fields(Fields& f, TargetBody& o) {
   f("file", o.file);
   f("scale", o.scale);
   f("rpy", o.rpy);
-  f("held_at", o.held_at);
+  f("grasp_point", o.grasp_point);
 }
 /// Returns a sentence about the first invalid field, or "" if all are valid.
 std::string validation_error(const TargetBody& body);
@@ -163,35 +163,35 @@ struct TargetOptions {
   bool infer = true;
   /// Name of the inferred target.
   std::string name = "cup";
-  /// Height; increased to `rim` above the tips, since they hold the side, not the rim [m].
+  /// Height; increased to `rim_margin` above the tips, since they hold the side, not the rim [m].
   double height = 0.10;
-  double rim = 0.02;  ///< distance of the rim above the higher tip [m]
+  double rim_margin = 0.02;  ///< distance of the rim above the higher tip [m]
   /// Goals are on the axes of the fingers: radius = half the tips' horizontal distance less the
   /// robot's fingertip radius, so that the surfaces touch [m].
   double pad_depth = 0.011;
-  double min_radius = 0.015;           ///< [m]
-  double max_radius = 0.060;           ///< [m]
-  std::optional<double> radius;        ///< overrides the inferred radius [m]
-  std::optional<TargetBody> body;      ///< shape that replaces the cylinder
-  Carrier carried = Carrier::fingers;  ///< link that carries it from the grasp to its release
-  TargetPoseOffset moved;              ///< displacement of the recorded or inferred target
+  double min_radius = 0.015;              ///< [m]
+  double max_radius = 0.060;              ///< [m]
+  std::optional<double> radius;           ///< overrides the inferred radius [m]
+  std::optional<TargetBody> body;         ///< shape that replaces the cylinder
+  Carrier carried_by = Carrier::fingers;  ///< link that carries it from the grasp to its release
+  TargetPoseOffset pose_offset;           ///< displacement of the recorded or inferred target
   /// Pose of the recorded or inferred target, instead of `moved`.
-  std::optional<TargetPose> placed;
+  std::optional<TargetPose> pose;
 };
 template <class Fields>
 void fields(Fields& f, TargetOptions& o) {
   f("infer", o.infer);
   f("name", o.name);
   f("height", o.height);
-  f("rim", o.rim);
+  f("rim_margin", o.rim_margin);
   f("pad_depth", o.pad_depth);
   f("min_radius", o.min_radius);
   f("max_radius", o.max_radius);
   f("radius", o.radius);
   f("body", o.body);
-  f("carried", o.carried);
-  f("moved", o.moved);
-  f("placed", o.placed);
+  f("carried_by", o.carried_by);
+  f("pose_offset", o.pose_offset);
+  f("pose", o.pose);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const TargetOptions& options);

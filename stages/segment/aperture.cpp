@@ -17,7 +17,7 @@ ReachAperture measure_aperture(const HandSignals& signals, const SegmentOptions&
   const double before = opening[first], rise = *widest - before;
   const double noise = kMinApertureNoiseRatio * signals.aperture_noise;
   const double fall = *widest - *std::min_element(widest, at(closed) + 1);
-  const double asked = std::max(options.widening_share * before, noise);
+  const double asked = std::max(options.opening_share * before, noise);
   result.widest_s = signals.time(static_cast<double>(widest - opening.begin()));
   result.widens = rise > asked;
   result.closes = fall > std::max(options.closing_share * rise, noise);

@@ -9,7 +9,7 @@ namespace morphe::segment {
 struct ReachAperture {
   /// True if the aperture was recorded.
   bool known = false;
-  /// True if it widens by more than widening_share of its start and by more than its noise.
+  /// True if it widens by more than opening_share of its start and by more than its noise.
   bool widens = false;
   bool closes = false;    ///< true if it closes again by closing_share of the widening
   double widest_s = 0;    ///< time of the widest aperture in the reach

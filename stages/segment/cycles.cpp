@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "core/math/statistics.hpp"
 #include "stages/segment/aperture.hpp"
 
 namespace morphe::segment {
@@ -28,35 +29,19 @@ struct Evidence {
   Vec3 shoulder;                       ///< median position of the shoulder, or unseen
 };
 
-Vec3 median_position(const std::vector<Vec3>& points) {
-  std::vector<double> axis[3];
-  for (const Vec3& point : points) {
-    if (!is_known(point)) continue;
-    for (int k = 0; k < 3; ++k) axis[k].push_back(point[k]);
-  }
-  if (axis[0].empty()) return unknown_point();
-  Vec3 median;
-  for (int k = 0; k < 3; ++k) {
-    const auto middle = axis[k].begin() + static_cast<std::ptrdiff_t>(axis[k].size() / 2);
-    std::nth_element(axis[k].begin(), middle, axis[k].end());
-    median[k] = *middle;
-  }
-  return median;
-}
-
 /// Returns 1 − (d / h)², which is positive at home.
 double return_score(const SegmentOptions& options, const MovementUnit& reach,
                     const MovementUnit& bout) {
   const double way = (reach.end_position - reach.start_position).norm();
   const double away =
-      (bout.end_position - reach.start_position).norm() / std::min(options.home_radius, way / 2);
+      (bout.end_position - reach.start_position).norm() / std::min(options.return_radius, way / 2);
   return std::max(-1.0, 1 - away * away);
 }
 
 bool is_reach(const SegmentOptions& options, const MovementUnit& bout) {
   if (bout.begin_truncated && bout.peak <= bout.first + 2) return false;
   if (bout.end_truncated && bout.peak + 2 >= bout.last) return false;
-  return (bout.end_position - bout.start_position).norm() >= options.least_reach;
+  return (bout.end_position - bout.start_position).norm() >= options.min_reach_distance;
 }
 
 bool approaches_object(const Evidence& on, const MovementUnit& reach) {
@@ -105,14 +90,15 @@ Evidence gather_evidence(const HandSignals& signals, const HumanMotion& motion,
                          const std::vector<SceneObject>& objects,
                          const std::vector<ObjectMotion>& motions,
                          const std::vector<HandObjectInteraction>& contacts) {
-  Evidence evidence{signals, options, bouts, objects, {}, {}, {}, median_position(motion.shoulder)};
+  Evidence evidence{signals, options, bouts, objects,
+                    {},      {},      {},    math::median_point(motion.shoulder)};
   for (std::size_t k = 0; k < bouts.size(); ++k) {
     const double next_s = k + 1 < bouts.size() ? bouts[k + 1].begin_s : signals.end_s();
     evidence.opening.push_back(
         measure_aperture(signals, options, bouts[k].begin_s, bouts[k].end_s, next_s));
     evidence.carried.push_back(is_transport(bouts[k], motions));
     const std::string held =
-        longest_held_object(contacts, signals, bouts[k].end_s, next_s, options.least_grasp);
+        longest_held_object(contacts, signals, bouts[k].end_s, next_s, options.min_grasp_s);
     evidence.held.push_back(!held.empty());
   }
   return evidence;
@@ -149,7 +135,7 @@ std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& mo
     if (sum > best[to].sum) best[to] = {sum, from, movement};
   };
   for (std::size_t i = 0; i < n; ++i) {
-    offer(i, i + 1, -kSkipPenalty * std::min(1.0, bouts[i].extent / options.home_radius), false);
+    offer(i, i + 1, -kSkipPenalty * std::min(1.0, bouts[i].extent / options.return_radius), false);
     for (std::size_t j = i + 1; j <= std::min(n, i + kMaxUnitsPerMovement); ++j) {
       if (i == 0) offer(i, j, bouts[0].begin_truncated ? 0 : kMissingReachScore, false);
       offer(i, j, movement_score(evidence, i, j), true);

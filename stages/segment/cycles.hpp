@@ -24,7 +24,7 @@ bool is_transport(const MovementUnit& bout, const std::vector<ObjectMotion>& mot
 /// evidence is found by dynamic programming over the rests between units. The evidence of a
 /// movement from rest i to rest j is its number of units times the sum of ¼ and
 ///   home    1 − (d / h)², at least −1, with d the distance of rest j from rest i and h =
-///           home_radius, or half the reach if that is less; at least 0 if the recording ends
+///           return_radius, or half the reach if that is less; at least 0 if the recording ends
 ///           before the return; the same value, if positive, is subtracted for every rest in
 ///           between that is at home
 ///   grasp   1 if the hand moves an object after the reach; otherwise ½ if it holds one before
@@ -36,8 +36,8 @@ bool is_transport(const MovementUnit& bout, const std::vector<ObjectMotion>& mot
 /// Units outside of movements cost up to 1 each, depending on their displacement. Those at the
 /// start of a recording cost 0.1 together, and 0 if the recording begins inside one: they are the
 /// rest of a movement without its reach. A movement never begins with a unit that is not a reach,
-/// that is one that ends less than `least_reach` from its start, or is truncated by the start of
-/// the recording after its peak or by the end of the recording before its peak.
+/// that is one that ends less than `min_reach_distance` from its start, or is truncated by the
+/// start of the recording after its peak or by the end of the recording before its peak.
 std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
                                const SegmentOptions& options,
                                const std::vector<MovementUnit>& bouts,

@@ -95,7 +95,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     }
   }
   std::size_t last = next - 1;
-  while (last > 0 && moved && bouts[last].extent < options.least_reach &&
+  while (last > 0 && moved && bouts[last].extent < options.min_reach_distance &&
          !continues_reach(signals, options, bouts.front(), bouts[last])) {
     --last;
   }
@@ -120,9 +120,10 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     grasp.end_s = bouts[next].begin_s;
     grasp.end_confidence = bouts[next].begin_confidence;
   }
-  if (moved && !alone && options.until_taken) {
+  if (moved && !alone && options.until_grasped) {
     const double later_s =
-        grasp_completion_time(signals, *moved, options.object_motion, grasp.end_s) - grasp.end_s;
+        grasp_completion_time(signals, *moved, options.min_object_displacement, grasp.end_s) -
+        grasp.end_s;
     grasp.begin_s += later_s;
     grasp.end_s += later_s;
   }
@@ -133,7 +134,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
   }
   if (!moved) {
     grasp.object =
-        longest_held_object(contacts, signals, grasp.begin_s, grasp.end_s, options.least_grasp);
+        longest_held_object(contacts, signals, grasp.begin_s, grasp.end_s, options.min_grasp_s);
     if (!grasp.object.empty() && !grasp.opening.widens) {
       grasp.opening.preshape_s = signals.time(static_cast<double>(bouts.front().peak));
     }
@@ -144,7 +145,7 @@ GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,
     grasp.end_confidence = grasp.begin_confidence;
     return grasp;
   }
-  enforce_min_duration(options.least_grasp, begin_s, signals.end_s(), grasp);
+  enforce_min_duration(options.min_grasp_s, begin_s, signals.end_s(), grasp);
   return grasp;
 }
 

@@ -26,10 +26,10 @@ struct GraspTimes {
 
 /// Finds the grasp among the units of one movement, the first of which is the reach (or its first
 /// part). If a recorded object moves with the hand, the transport is the unit in which it moves;
-/// smaller units before that are the hand closing. With until_taken, a hand that pauses before it
+/// smaller units before that are the hand closing. With until_grasped, a hand that pauses before it
 /// has the moving object (its wrist travels more than twice as far as the object) grasps that much
 /// later. Otherwise the transport is the next unit, and there was a grasp if the aperture widened
-/// and closed again, or a recorded object was held for least_grasp before the transport. The reach
+/// and closed again, or a recorded object was held for min_grasp_s before the transport. The reach
 /// continues over a pause in which the hand stays open. `weak` are the units too small to be
 /// transports, which may still be the last of the reach.
 GraspTimes find_grasp(const HandSignals& signals, const SegmentOptions& options,

@@ -138,8 +138,8 @@ void mark_weak(const HandSignals& signals, const SegmentOptions& options,
     for (std::size_t m = k - std::min(k, kNeighbours); m <= last; ++m) {
       farthest = std::max(farthest, bouts[m].extent);
     }
-    bouts[k].weak = bouts[k].extent < options.weak_share * farthest ||
-                    signals.speed[bouts[k].peak] < options.least_peak ||
+    bouts[k].weak = bouts[k].extent < options.weak_bout_share * farthest ||
+                    signals.speed[bouts[k].peak] < options.min_peak_speed ||
                     is_finger_motion(signals, bouts[k]);
   }
 }
@@ -159,7 +159,7 @@ double merge_score(const HandSignals& signals, const SegmentOptions& options,
   const double gap_s =
       std::abs(signals.time(static_cast<double>(near)) - (after ? bout.end_s : bout.begin_s));
   const bool follows =
-      gap_s <= kMaxMergeGap_s && signals.speed[other.peak] >= options.weak_share * peak;
+      gap_s <= kMaxMergeGap_s && signals.speed[other.peak] >= options.weak_bout_share * peak;
   return dip >= 1 || follows ? dip + 1e-9 : 0;
 }
 
@@ -234,7 +234,7 @@ double rebound(const Speeds& speed, std::size_t edge, std::size_t rest, std::siz
 void find_boundaries(const HandSignals& signals, const SegmentOptions& options,
                      MovementUnit& bout) {
   const double level = options.onset_share * signals.speed[bout.peak];
-  const double part = options.weak_share * signals.speed[bout.peak];
+  const double part = options.weak_bout_share * signals.speed[bout.peak];
   const SpeedCrossing begin =
       find_speed_crossing(signals, bout.first, bout.first_peak, level, part);
   const SpeedCrossing end = find_speed_crossing(signals, bout.last, bout.last_peak, level, part);
@@ -279,7 +279,8 @@ std::vector<MovementUnit> find_movement_units(const HandSignals& signals,
   std::vector<SpeedInterval> pieces = cut_at_dips(signals, options.dip_share);
   join_over_shallow_dips(signals, options.dip_share, pieces);
   for (const double time_s : splits_s) split_at(signals, time_s, pieces);
-  const double least = std::max(0.2 * options.least_peak, kMinPeakNoiseRatio * signals.speed_noise);
+  const double least =
+      std::max(0.2 * options.min_peak_speed, kMinPeakNoiseRatio * signals.speed_noise);
   std::vector<MovementUnit> units;
   for (const SpeedInterval& piece : pieces) {
     if (signals.speed[piece.peak] < least) continue;

@@ -21,8 +21,8 @@ struct MovementUnit {
   Vec3 start_position = Vec3::Zero(),
        end_position = Vec3::Zero();  ///< positions of the hand at begin_s and end_s [m]
   double extent = 0;                 ///< largest distance from `start_position` [m]
-  /// True if it travels less than weak_share of the farthest of its neighbours, or only the fingers
-  /// move.
+  /// True if it travels less than weak_bout_share of the farthest of its neighbours, or only the
+  /// fingers move.
   bool weak = false;
 };
 
@@ -36,8 +36,8 @@ struct MovementUnit {
 ///
 /// A weak unit beside a stronger one is merged with it if the speed between them never falls to the
 /// level at which the stronger one ends, or only for 0.1 s and the weak one is faster than
-/// `weak_share` of the stronger peak: a hand that closes as it arrives, or lets go as it sets out.
-/// Slower closing and letting go is detected from the fingers (finger_motion.hpp).
+/// `weak_bout_share` of the stronger peak: a hand that closes as it arrives, or lets go as it sets
+/// out. Slower closing and letting go is detected from the fingers (finger_motion.hpp).
 std::vector<MovementUnit> find_movement_units(const HandSignals& signals,
                                               const SegmentOptions& options,
                                               const std::vector<double>& splits_s);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "core/math/statistics.hpp"
 
 namespace morphe::segment {
 namespace {
@@ -36,10 +39,7 @@ double rms_of_quiet_windows(const std::vector<T>& values, double step_s) {
     windows.push_back(line_fit_variance(values, i, count));
   }
   if (windows.empty()) return 0;
-  const auto rank =
-      static_cast<std::ptrdiff_t>(kQuietWindowShare * static_cast<double>(windows.size() - 1));
-  std::nth_element(windows.begin(), windows.begin() + rank, windows.end());
-  return std::sqrt(windows[static_cast<std::size_t>(rank)]);
+  return std::sqrt(math::lower_quantile(std::move(windows), kQuietWindowShare));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void set_planned_interval(const SegmentOptions& options, Movement& movement) {
   movement.end_s = reach.end_s;
   for (const Phase& phase : movement.phases) {
     if (phase.kind != PhaseKind::hold || phase.begin_s > reach.end_s + 1e-9) continue;
-    movement.end_s = std::min(phase.end_s, reach.end_s + options.touch_hold);
+    movement.end_s = std::min(phase.end_s, reach.end_s + options.hold_after_touch_s);
   }
 }
 
@@ -133,23 +133,26 @@ std::vector<Movement> whole_recording(const HumanMotion& motion) {
 
 std::string validation_error(const SegmentOptions& o) {
   const std::pair<const char*, double> shares[] = {
-      {"onset_share", o.onset_share},     {"weak_share", o.weak_share},
-      {"dip_share", o.dip_share},         {"widening_share", o.widening_share},
+      {"onset_share", o.onset_share},     {"weak_bout_share", o.weak_bout_share},
+      {"dip_share", o.dip_share},         {"opening_share", o.opening_share},
       {"closing_share", o.closing_share}, {"preshape_share", o.preshape_share}};
   for (const auto& [name, value] : shares) {
     if (value < 0 || value >= 1) return fmt::format("{}: must be in [0, 1), not {}", name, value);
   }
   const std::pair<const char*, double> lengths[] = {
-      {"smoothing", o.smoothing},     {"least_peak", o.least_peak},
-      {"least_reach", o.least_reach}, {"home_radius", o.home_radius},
-      {"least_grasp", o.least_grasp}, {"object_motion", o.object_motion},
-      {"touch_hold", o.touch_hold}};
+      {"velocity_smoothing_s", o.velocity_smoothing_s},
+      {"min_peak_speed", o.min_peak_speed},
+      {"min_reach_distance", o.min_reach_distance},
+      {"return_radius", o.return_radius},
+      {"min_grasp_s", o.min_grasp_s},
+      {"min_object_displacement", o.min_object_displacement},
+      {"hold_after_touch_s", o.hold_after_touch_s}};
   for (const auto& [name, value] : lengths) {
     if (value < 0) return fmt::format("{}: must not be negative, not {}", name, value);
   }
   if (o.onset_share == 0) return "onset_share: must be above 0";
   if (o.dip_share == 0) return "dip_share: must be above 0";
-  if (o.least_peak == 0) return "least_peak: must be above 0";
+  if (o.min_peak_speed == 0) return "min_peak_speed: must be above 0";
   if (o.plan_until != PhaseKind::grasp && o.plan_until != PhaseKind::transport &&
       o.plan_until != PhaseKind::return_phase) {
     return fmt::format("plan_until: must be grasp, transport or return, not '{}'",
@@ -160,11 +163,11 @@ std::string validation_error(const SegmentOptions& o) {
 
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects) {
-  if (options.whole) return whole_recording(motion);
-  const HandSignals signals = hand_signals(motion, options.smoothing);
+  if (options.whole_recording) return whole_recording(motion);
+  const HandSignals signals = hand_signals(motion, options.velocity_smoothing_s);
   const std::vector<HandObjectInteraction> contacts = find_interactions(motion, signals, objects);
   const std::vector<ObjectMotion> motions =
-      motions_by_hand(object_motions(objects, options.object_motion), contacts, signals);
+      motions_by_hand(object_motions(objects, options.min_object_displacement), contacts, signals);
   std::vector<double> splits_s;
   for (const ObjectMotion& object : motions) {
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});

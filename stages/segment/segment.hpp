@@ -19,9 +19,9 @@ namespace morphe::segment {
 /// unit that comes home is the return, as are the units after a recorded object has come to rest;
 /// those in between are transports, and the pauses are holds. Without a grasp the phases are reach,
 /// hold, return. `begin_s` and `end_s` span the planned interval (`plan_until`); if that phase is
-/// missing, it ends with the grasp, and without a grasp `touch_hold` after the reach. `target` is
-/// the recorded object that moves with this hand, otherwise the one that its fingertips hold;
-/// objects moved by the other hand are no evidence here (interaction.hpp).
+/// missing, it ends with the grasp, and without a grasp `hold_after_touch_s` after the reach.
+/// `target` is the recorded object that moves with this hand, otherwise the one that its fingertips
+/// hold; objects moved by the other hand are no evidence here (interaction.hpp).
 ///
 /// The confidence of a boundary is 1 − v / (dip_share · p), within 0 … 1, times 1 / (1 + (δ / 40
 /// ms)²) and 1 / (1 + r²), with v the slowest speed in the pause at the boundary, p the smaller of

@@ -7,51 +7,52 @@
 namespace morphe::segment {
 
 /// Options of the segmentation. Speeds are those of the index tip (of the wrist if the tip is not
-/// seen) after smoothing by a Gaussian of `smoothing`, which is widened for noisy signals. Shares
-/// refer to a unit's own peak or displacement, never to another unit's.
+/// seen) after smoothing by a Gaussian of `velocity_smoothing_s`, which is widened for noisy
+/// signals. Shares refer to a unit's own peak or displacement, never to another unit's.
 struct SegmentOptions {
-  double smoothing = 0.02;    ///< least standard deviation of the Gaussian on velocities [s]
-  double onset_share = 0.05;  ///< share of its peak speed at which a unit begins and ends
-  double least_peak = 0.05;   ///< least peak speed of a unit that is not weak [m/s]
+  /// Least standard deviation of the Gaussian on velocities [s].
+  double velocity_smoothing_s = 0.02;
+  double onset_share = 0.05;     ///< share of its peak speed at which a unit begins and ends
+  double min_peak_speed = 0.05;  ///< least peak speed of a unit that is not weak [m/s]
   /// A unit ends after its last part above this share of its peak; a unit that travels less than
   /// this share of its neighbours' displacement is weak.
-  double weak_share = 0.08;
+  double weak_bout_share = 0.08;
   /// Largest dip between two units, as a share of the smaller peak, for a change of direction by a
   /// right angle.
   double dip_share = 0.35;
-  double least_reach = 0.05;  ///< least displacement of a reach [m]
+  double min_reach_distance = 0.05;  ///< least displacement of a reach [m]
   /// Distance from the start (at most half the reach) at which a movement has come home [m].
-  double home_radius = 0.10;
+  double return_radius = 0.10;
   /// Widening of the aperture in a reach to grasp, as a share of its start.
-  double widening_share = 0.15;
+  double opening_share = 0.15;
   double closing_share = 0.15;   ///< closing after that, as a share of the widening
   double preshape_share = 0.10;  ///< share of the widening at which the preshape begins
-  double least_grasp = 0.06;  ///< duration of a grasp without a pause, around the slowest point [s]
-  double object_motion = 0.005;  ///< least displacement of a recorded object that moves [m]
-  double touch_hold = 0.1;       ///< planned part of the hold after a reach without a grasp [s]
+  double min_grasp_s = 0.06;  ///< duration of a grasp without a pause, around the slowest point [s]
+  double min_object_displacement = 0.005;  ///< of a recorded object that moves [m]
+  double hold_after_touch_s = 0.1;  ///< planned part of the hold after a reach without a grasp [s]
   /// True if a hand that pauses before it has the moving object grasps only when it has it.
-  bool until_taken = false;
+  bool until_grasped = false;
   /// True if the recording is one movement without phases, regardless of the motion in it.
-  bool whole = false;
+  bool whole_recording = false;
   PhaseKind plan_until = PhaseKind::grasp;  ///< last phase planned: grasp, transport or return
 };
 template <class Fields>
 void fields(Fields& f, SegmentOptions& o) {
-  f("smoothing", o.smoothing);
+  f("velocity_smoothing_s", o.velocity_smoothing_s);
   f("onset_share", o.onset_share);
-  f("least_peak", o.least_peak);
-  f("weak_share", o.weak_share);
+  f("min_peak_speed", o.min_peak_speed);
+  f("weak_bout_share", o.weak_bout_share);
   f("dip_share", o.dip_share);
-  f("least_reach", o.least_reach);
-  f("home_radius", o.home_radius);
-  f("widening_share", o.widening_share);
+  f("min_reach_distance", o.min_reach_distance);
+  f("return_radius", o.return_radius);
+  f("opening_share", o.opening_share);
   f("closing_share", o.closing_share);
   f("preshape_share", o.preshape_share);
-  f("least_grasp", o.least_grasp);
-  f("object_motion", o.object_motion);
-  f("touch_hold", o.touch_hold);
-  f("until_taken", o.until_taken);
-  f("whole", o.whole);
+  f("min_grasp_s", o.min_grasp_s);
+  f("min_object_displacement", o.min_object_displacement);
+  f("hold_after_touch_s", o.hold_after_touch_s);
+  f("until_grasped", o.until_grasped);
+  f("whole_recording", o.whole_recording);
   f("plan_until", o.plan_until);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.

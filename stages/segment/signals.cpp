@@ -142,7 +142,8 @@ HandSignals hand_signals(const HumanMotion& motion, double smoothing_s) {
   const std::vector<Vec3> velocity = velocities(signals.position, signals.step_s);
   double wider = 1;
   for (;; wider = std::min(kMaxWideningFactor, wider * kWideningFactor)) {
-    const std::vector<Vec3> smooth = smooth_gaussian(velocity, wider * smoothing_s / signals.step_s);
+    const std::vector<Vec3> smooth =
+        smooth_gaussian(velocity, wider * smoothing_s / signals.step_s);
     signals.speed_noise = noise_rms(smooth, signals.step_s);
     const double noise = signals.speed_noise * signals.speed_noise;
     signals.speed.clear();

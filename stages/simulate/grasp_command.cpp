@@ -146,12 +146,13 @@ std::vector<FingerForce> planned_finger_forces(const robot::Robot& robot, const 
   std::vector<FingerForce> finger_forces;
   for (const PadContact& contact : plan.grasp.contacts) {
     const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotModel::Tip::name);
-    if (tip == robot.tips.end() || !(contact.force > 0) || !is_known(contact.point) ||
+    if (tip == robot.tips.end() || !(contact.normal_force > 0) || !is_known(contact.point) ||
         !is_known(contact.normal))
       continue;
-    finger_forces.push_back({static_cast<std::size_t>(tip - robot.tips.begin()), contact.point,
-                             contact.normal, contact.force,
-                             is_known(contact.friction) ? contact.friction : Vec3(Vec3::Zero())});
+    finger_forces.push_back(
+        {static_cast<std::size_t>(tip - robot.tips.begin()), contact.point, contact.normal,
+         contact.normal_force,
+         is_known(contact.friction_force) ? contact.friction_force : Vec3(Vec3::Zero())});
   }
   return finger_forces;
 }
@@ -163,8 +164,8 @@ std::optional<GraspCommand> planned_grasp_command(const robot::Robot& robot, con
                                                   const std::vector<Servo>& servos) {
   const Grasp& grasp = plan.grasp;
   const bool whole =
-      grasp.squeeze_torque.size() == posture.size() && grasp.hand_posture.size() == posture.size();
-  if (!whole || !grasp.squeeze_torque.allFinite() || !grasp.hand_posture.allFinite())
+      grasp.grasp_torque.size() == posture.size() && grasp.grasp_posture.size() == posture.size();
+  if (!whole || !grasp.grasp_torque.allFinite() || !grasp.grasp_posture.allFinite())
     return std::nullopt;
   GraspCommand squeeze;
   squeeze.is_planned = true;
@@ -173,9 +174,9 @@ std::optional<GraspCommand> planned_grasp_command(const robot::Robot& robot, con
   squeeze.closed_posture = posture;
   for (Eigen::Index j = 0; j < posture.size(); ++j) {
     if (std::ranges::count(robot.arm_joints, static_cast<int>(j)) == 0)
-      squeeze.closed_posture[j] = grasp.hand_posture[j];
+      squeeze.closed_posture[j] = grasp.grasp_posture[j];
   }
-  set_servo_offsets(robot, servos, grasp.squeeze_torque, squeeze);
+  set_servo_offsets(robot, servos, grasp.grasp_torque, squeeze);
   return squeeze;
 }
 
@@ -195,8 +196,8 @@ std::vector<FingerForce> nearest_finger_forces(const robot::Robot& robot, const 
     thumb = thumb || robot.tips[tip].finger == 0;
   }
   if (!thumb || tips.size() < 2) {
-    why_none = thumb ? "no finger beside the thumb has a goal and a capsule at its tip"
-                     : "no thumb has a goal and a capsule at its tip";
+    why_none = thumb ? "no finger but the thumb has a goal and a capsule at its tip"
+                     : "the thumb has no goal, or no capsule at its tip";
     return {};
   }
   ClosingState hand = make_closing_state(robot, plan.grasp.base_from_object, target);

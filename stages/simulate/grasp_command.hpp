@@ -34,7 +34,7 @@ struct GraspCommand {
 
 /// Returns the plan's squeeze from the posture at which its trajectory ends. The fingers close to
 /// their posture at the plan's grasp and aim beyond it by the plan's torques divided by the servos'
-/// stiffness, which equals its squeeze_posture if the stiffness is the planned one. Returns nullopt
+/// stiffness, which equals its servo_target if the stiffness is the planned one. Returns nullopt
 /// if the plan has no squeeze, has fewer than two contacts with forces, or contains values that are
 /// not finite.
 std::optional<GraspCommand> planned_grasp_command(const robot::Robot& robot, const Plan& plan,

@@ -162,7 +162,7 @@ class Writer {
     add(text_,
         "<joint name=\"f{}\" type=\"{}\" axis=\"{}\" limited=\"true\" range=\"{:.17g} {:.17g}\" "
         "armature=\"{:.17g}\" damping=\"{:.17g}\"/>\n",
-        f, frame.slides ? "slide" : "hinge", numbers(frame.axis), std::min(one, other),
+        f, frame.prismatic ? "slide" : "hinge", numbers(frame.axis), std::min(one, other),
         std::max(one, other), servo.armature, servo.damping);
   }
 
@@ -234,7 +234,7 @@ class Writer {
     const int body = robot::moving_frame_of(robot_, robot_.capsules[k].frame);
     const int second = robot::moving_frame_of(robot_, robot_.capsules[other].frame);
     const std::array<int, 2> pair{static_cast<int>(k), static_cast<int>(other)};
-    return body != second && std::ranges::count(robot_.allowed_pairs, pair) == 0;
+    return body != second && std::ranges::count(robot_.allowed_collision_pairs, pair) == 0;
   }
 
   /// Writes the couplings: value - offset' = ratio / ratio' (motor's value - offset).

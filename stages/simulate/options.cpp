@@ -17,8 +17,9 @@ std::string validation_error(const SimulateOptions& o) {
     return range &&
            !(positive(range->from) && std::isfinite(range->to) && range->from <= range->to);
   };
-  if (wrong(o.friction_range)) return "friction-range must be two numbers above 0, the less first";
-  if (wrong(o.mass_range)) return "mass-range must be two numbers above 0, the less first";
+  if (wrong(o.friction_range))
+    return "friction-range must be two numbers above 0, the smaller first";
+  if (wrong(o.mass_range)) return "mass-range must be two numbers above 0, the smaller first";
   if (!positive(o.force_N)) return "thumb-force must be above 0";
   if (!(o.step_s >= 1e-5 && o.step_s <= 0.01)) return "time-step must be 0.00001 to 0.01 s";
   if (!positive(o.density)) return "density must be above 0";
@@ -37,20 +38,19 @@ std::string text_of(const SimulateOptions& options) {
 }
 
 std::vector<std::string> assumptions(const SimulateOptions& o) {
-  return {
-      fmt::format(
-          "links weigh what their capsules hold at {:g} kg/m^3, the target {:g} kg; all are "
-          "solid",
-          o.density, o.mass_kg),
-      fmt::format("motors carry gravity and the robot's own motion; an arm's servos are those of a "
-                  "PA10 by a joint's place, fingers have {:g} N m/rad and {:g} N m{}",
-                  o.hand_stiffness, o.hand_torque_limit,
-                  o.servos.empty() ? "" : ", where the file of servos says nothing else"),
-      fmt::format("a hand squeezes as its plan says; of a plan without a squeeze the thumb presses "
-                  "with {:g} N where its tip comes to lie on the target, the other fingers with "
-                  "goals with shares of it",
-                  o.force_N),
-      "the target stands on a plane through its lowest point"};
+  return {fmt::format("links are solid, with the volume of their capsules and {:g} kg/m^3; the "
+                      "target is solid, with {:g} kg",
+                      o.density, o.mass_kg),
+          fmt::format("the motors compensate gravity and the robot's own dynamics; each arm joint "
+                      "has the servo of the PA10 joint at the same position in the arm, finger "
+                      "joints have {:g} N m/rad and at most {:g} N m{}",
+                      o.hand_stiffness, o.hand_torque_limit,
+                      o.servos.empty() ? "" : ", unless the file of servos gives other values"),
+          fmt::format("the hand squeezes as planned; if the plan has no squeeze, the thumb presses "
+                      "with {:g} N where its tip touches the target, and the other fingers with "
+                      "goals press with shares of it",
+                      o.force_N),
+          "the target rests on a plane through its lowest point"};
 }
 
 }  // namespace morphe::simulate

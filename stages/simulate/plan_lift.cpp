@@ -23,7 +23,7 @@ Eigen::MatrixXd palm_jacobian(const robot::Robot& robot, const std::vector<Pose>
   robot::point_jacobian(robot, base_from_frame, robot.palm_frame, palm.translation(), point);
   for (const int f : robot::ancestors(robot, robot.palm_frame)) {
     const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
-    if (frame.joint >= 0 && !frame.slides) {
+    if (frame.joint >= 0 && !frame.prismatic) {
       turn.col(frame.joint) +=
           frame.ratio * (base_from_frame[static_cast<std::size_t>(f)].linear() * frame.axis);
     }

@@ -39,12 +39,13 @@ SkipReason initial_skip_reason(const Plan& plan, int target, std::string& detail
     return SkipReason::infeasible;
   }
   if (target < 0 || plan.grasp.sample < 0) {
-    detail = "nothing is grasped in it";
+    detail = "the plan grasps nothing";
     return SkipReason::no_grasp;
   }
   if (!is_valid(plan.trajectory) || !plan.grasp.base_from_object.matrix().allFinite()) {
     detail =
-        "its trajectory or the target's pose holds numbers that are none, or time stands still";
+        "the trajectory or the target's pose contains values that are not finite, or the time does "
+        "not increase";
     return SkipReason::invalid_data;
   }
   return SkipReason::none;
@@ -52,9 +53,9 @@ SkipReason initial_skip_reason(const Plan& plan, int target, std::string& detail
 
 /// Returns the world's vertical in the base frame.
 Vec3 vertical_in_base(const Plan& plan, std::vector<std::string>& notes) {
-  if (plan.world.base_from_world.matrix().allFinite())
-    return plan.world.base_from_world.linear().col(2).normalized();
-  notes.push_back("the plan does not say where the world's vertical is: the base's z is taken");
+  if (plan.reference_frames.base_from_world.matrix().allFinite())
+    return plan.reference_frames.base_from_world.linear().col(2).normalized();
+  notes.push_back("the plan does not give the world's vertical: the z axis of the base is assumed");
   return Vec3::UnitZ();
 }
 
@@ -96,11 +97,11 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(number)];
   if (target.shape == Shape::mesh && !collision::mesh_solid_of(target)) {
     prepared.skip_reason = SkipReason::invalid_data;
-    prepared.detail = "the target's mesh has no inside";
+    prepared.detail = "the target's mesh encloses no volume";
     return prepared;
   }
   if (target.shape == Shape::mesh)
-    prepared.notes.push_back("the target's mesh counts as its convex hull, solid");
+    prepared.notes.push_back("the target's mesh is replaced by its convex hull, solid");
 
   PreparedPlan& ready = prepared.plan;
   ready.robot = &robot;
@@ -114,7 +115,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
     if (static_cast<int>(k) != number && !is_static_obstacle(ready.world, k))
       prepared.notes.push_back(
-          fmt::format("{} is left out: it moves, or is a mesh", plan.scene.objects[k].name));
+          fmt::format("{} is not simulated: it moves, or is a mesh", plan.scene.objects[k].name));
   }
   const JointVector open =
       plan.trajectory.position.row(static_cast<Eigen::Index>(last_tracked_sample(plan)))
@@ -131,9 +132,10 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
     }
     squeeze = make_grasp_command(robot, open, ready.base_from_target, target, finger_forces,
                                  ready.world.servos);
-    prepared.notes.push_back(options.contacts == ContactSource::nearest
-                                 ? "not the plan's squeeze: fingers with goals close and press"
-                                 : "the plan has no squeeze: fingers with goals close and press");
+    prepared.notes.push_back(
+        options.contacts == ContactSource::nearest
+            ? "the plan's squeeze is not used: fingers with goals close and press"
+            : "the plan has no squeeze: fingers with goals close and press");
   }
   ready.squeeze = std::move(*squeeze);
   const auto rows = static_cast<Eigen::Index>(std::llround(kLiftTime_s / options.step_s));
@@ -146,7 +148,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   if (!lifting) {
     prepared.skip_reason = SkipReason::lift_infeasible;
     prepared.detail =
-        fmt::format("the arm cannot lift the palm by {:g} m from the grasp", kLiftHeight_m);
+        fmt::format("the arm cannot lift the palm by {:g} mm from the grasp", 1e3 * kLiftHeight_m);
     return prepared;
   }
   ready.program =

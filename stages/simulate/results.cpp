@@ -212,11 +212,11 @@ StoredResult load_result(const std::filesystem::path& file) {
   try {
     const Json json = Json::parse(text);
     if (json.at("format") != kFormat || json.at("version") != kVersion)
-      throw InputError("is of another format or version");
+      throw InputError("it has another format or version");
     return {result_of(json), json.at("engine").get<std::string>()};
   } catch (const std::exception& error) {
     throw InputError(
-        fmt::format("{}: is no result of morphe simulate: {}", file.string(), error.what()));
+        fmt::format("{}: is not a result of morphe simulate: {}", file.string(), error.what()));
   }
 }
 

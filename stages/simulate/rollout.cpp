@@ -121,7 +121,7 @@ void update_tracking_error(const PreparedPlan& plan, const Simulation& simulatio
                            Rollout& rollout) {
   const robot::Robot& robot = *plan.robot;
   for (std::size_t j = 0; j < robot.joints(); ++j) {
-    const bool slides = simulation.motor_of(j).slides;
+    const bool slides = simulation.motor_of(j).prismatic;
     const double error = std::abs(simulation.position(j) -
                                   plan.program.reference(row, static_cast<Eigen::Index>(j))) *
                          (slides ? 1000 : 1 / kRadPerDegree);

@@ -30,7 +30,7 @@ ServoTable read_servos(const std::filesystem::path& file, const RobotModel& robo
     problems.attempt([&] {
       const config::ConfigNode node = root[joint];
       if (std::ranges::count(robot.joint_names, joint) == 0) {
-        node.fail(fmt::format("{} has no such joint; it has {}", robot.name,
+        node.fail(fmt::format("is not a joint of {}; its joints are {}", robot.name,
                               fmt::join(robot.joint_names, ", ")));
       }
       config::read_options(node, table[joint]);

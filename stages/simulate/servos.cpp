@@ -47,7 +47,7 @@ std::vector<Servo> servos_of(const robot::Robot& robot, const SimulateOptions& o
   for (std::size_t j = 0; j < servos.size(); ++j) {
     Servo& servo = servos[j];
     const RobotModel::Frame& motor = robot.frames[static_cast<std::size_t>(motors[j])];
-    if (motor.slides) {
+    if (motor.prismatic) {
       servo = {kPrismaticServo.stiffness, kPrismaticServo.velocity_gain, kPrismaticServo.armature,
                0, kPrismaticServo.torque_limit};
     } else if (std::ranges::count(robot.arm_joints, static_cast<int>(j)) > 0) {

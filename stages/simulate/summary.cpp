@@ -24,16 +24,12 @@ double max_or_nan(const std::vector<double>& values) {
   return values.empty() ? kUnknown : *std::ranges::max_element(values);
 }
 
-double median_or_nan(std::vector<double> values) {
-  return values.empty() ? kUnknown : math::median(values);
-}
-
 double median_of_held(const PlanResult& result, const std::function<double(const Rollout&)>& of) {
   std::vector<double> values;
   for (const Rollout& one : result.rollouts) {
     if (one.lift.is_held()) values.push_back(of(one));
   }
-  return median_or_nan(std::move(values));
+  return math::median(std::move(values));
 }
 
 }  // namespace
@@ -61,15 +57,15 @@ SimulationSummary summarise(const PlanResult& result) {
       max_or_nan(rollout_values(result, [](const Rollout& r) { return r.hand_error; }));
   figures.torque_ratio =
       max_or_nan(rollout_values(result, [](const Rollout& r) { return r.torque_ratio; }));
-  figures.required_force_N = median_or_nan(
+  figures.required_force_N = math::median(
       rollout_values(result, [](const Rollout& r) { return r.lift.required_force_N; }));
   figures.commanded_force_N =
-      median_or_nan(rollout_values(result, [](const Rollout& r) { return r.commanded_force_N; }));
+      math::median(rollout_values(result, [](const Rollout& r) { return r.commanded_force_N; }));
   std::vector<double> late;
   for (const Rollout& one : result.rollouts) {
     if (std::isfinite(one.contact_s)) late.push_back(one.contact_s - result.planned_contact_s);
   }
-  figures.contact_delay_s = median_or_nan(std::move(late));
+  figures.contact_delay_s = math::median(std::move(late));
   return figures;
 }
 

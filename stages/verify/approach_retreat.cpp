@@ -17,22 +17,23 @@ void verify_approach_retreat(const Plan& plan, const Trajectory& motion, Approac
   const double stands_s = approach ? way.front() : way.back();
   for (const double time_s : motion.demonstration_time) {
     if (std::abs(time_s - stands_s) <= kFrozenClockTolerance_s) continue;
-    runs.note_plan("transfer", "demonstration_time", time_s, stands_s);
+    runs.note_plan("approach_retreat", "demonstration_time", time_s, stands_s);
     break;
   }
   const auto other =
       std::ranges::find_if(motion.phase, [](PhaseKind phase) { return phase != PhaseKind::rest; });
   if (other != motion.phase.end())
-    runs.note_plan("transfer", "phase", static_cast<double>(*other),
+    runs.note_plan("approach_retreat", "phase", static_cast<double>(*other),
                    static_cast<double>(PhaseKind::rest));
   if (!asked || !asked->home || asked->home->posture.size() != motion.position.cols()) return;
   const Eigen::Index end = approach ? 0 : motion.position.rows() - 1;
   const double off =
       (motion.position.row(end).transpose() - asked->home->posture).cwiseAbs().maxCoeff();
-  if (!(off <= kJunctionTolerance)) runs.note_plan("transfer", "home", off, kJunctionTolerance);
+  if (!(off <= kJunctionTolerance))
+    runs.note_plan("approach_retreat", "home", off, kJunctionTolerance);
 }
 
-void verify_limit_share(const LimitUse& use, double share, ViolationCollector& runs) {
+void verify_limit_scaling(const LimitUse& use, double share, ViolationCollector& runs) {
   constexpr double kShareTolerance = 1e-6;
   const auto holds = [&](const char* name, double ratio) {
     if (!(ratio <= share * (1 + kShareTolerance))) runs.note_plan("config", name, ratio, share);

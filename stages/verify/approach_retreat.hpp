@@ -26,6 +26,6 @@ void verify_approach_retreat(const Plan& plan, const Trajectory& motion, Approac
 
 /// Records `config` violations if a motion uses a larger share of the velocity, acceleration or
 /// jerk limits than was requested.
-void verify_limit_share(const LimitUse& use, double share, ViolationCollector& runs);
+void verify_limit_scaling(const LimitUse& use, double share, ViolationCollector& runs);
 
 }  // namespace morphe::verify

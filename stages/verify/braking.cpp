@@ -11,8 +11,8 @@ constexpr int kMaxBisectionDepth = 40, kMaxBrakingBisections = 2000;
 
 /// Computes the use of the braking curve at a speed towards an end that is `way` away.
 BrakingLimitUse braking_limit_use(const RobotModel::BrakingCurve& curve, double speed, double way) {
-  const double root = std::sqrt(std::max(curve.slope * way, 0.0));
-  const double left = std::max(root - curve.drop, 0.0);
+  const double root = std::sqrt(std::max(curve.twice_deceleration * way, 0.0));
+  const double left = std::max(root - curve.velocity_offset, 0.0);
   const double ratio = speed <= 0 ? 0 : left > 0 ? speed / left : HUGE_VAL;
   return {ratio, 0, speed, left};
 }
@@ -34,12 +34,12 @@ struct Direction {
 /// drop, ratio = v / u and du/dt = -slope v / (2 root).
 double max_ratio_rate(const RobotModel::BrakingCurve& curve, const Interval& way,
                       const Interval& speed, const Interval& acceleration) {
-  const double root_low = std::sqrt(std::max(curve.slope * way.low, 0.0));
-  const double root_high = std::sqrt(std::max(curve.slope * way.high, 0.0));
-  const double low = root_low - curve.drop, high = root_high - curve.drop;
+  const double root_low = std::sqrt(std::max(curve.twice_deceleration * way.low, 0.0));
+  const double root_high = std::sqrt(std::max(curve.twice_deceleration * way.high, 0.0));
+  const double low = root_low - curve.velocity_offset, high = root_high - curve.velocity_offset;
   if (!(low > 0) || speed.low < 0) return HUGE_VAL;
-  const double falls_low = 0.5 * curve.slope * speed.low * speed.low / root_high;
-  const double falls_high = 0.5 * curve.slope * speed.high * speed.high / root_low;
+  const double falls_low = 0.5 * curve.twice_deceleration * speed.low * speed.low / root_high;
+  const double falls_high = 0.5 * curve.twice_deceleration * speed.high * speed.high / root_low;
   const double least = std::min(acceleration.low * low, acceleration.low * high) + falls_low;
   const double most = std::max(acceleration.high * low, acceleration.high * high) + falls_high;
   return std::max(std::abs(least), std::abs(most)) / (low * low);

@@ -47,24 +47,24 @@ bool agree(double stored, double recomputed, double tolerance) {
 Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
                                   const LimitUse& use, double clearance) {
   Certificate own;
-  own.position_margin = use.position_margin;
+  own.joint_limit_margin = use.position_margin;
   own.velocity_ratio = use.velocity_ratio;
   own.acceleration_ratio = use.acceleration_ratio;
   own.jerk_ratio = use.jerk_ratio;
   // An infinite clearance means that no pair could touch and no clearance was measured.
   own.clearance = std::isinf(clearance) ? kUnknown : clearance;
   const GoalErrors goals = goal_errors(robot, plan);
-  own.position_error_max = goals.position_max;
-  own.position_error_mean = goals.position_mean;
-  own.position_error_grasp = goals.position_grasp;
-  own.orientation_error_max = goals.orientation_max;
+  own.tip_error_max = goals.position_max;
+  own.tip_error_mean = goals.position_mean;
+  own.tip_error_grasp = goals.position_grasp;
+  own.tip_orientation_error_max = goals.orientation_max;
   own.upper_arm_error_max = goals.upper_arm_max;
   own.upper_arm_error_mean = goals.upper_arm_mean;
   own.humanlikeness_final = goals.humanlikeness;
   own.humanlikeness_mapped = mapped_humanlikeness(plan.mapped.humanlikeness);
   const std::vector<double>& human = plan.trajectory.demonstration_time;
   if (human.back() > human.front()) {
-    own.tempo = plan.trajectory.time.back() / (human.back() - human.front());
+    own.duration_ratio = plan.trajectory.time.back() / (human.back() - human.front());
   }
   const Speeds speeds = mean_speeds(robot, plan.goals, curve);
   own.sparc_robot = sparc(speeds.robot, speeds.step_s);
@@ -83,18 +83,18 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
     double Certificate::*value;
   };
   constexpr Attribute kAttributes[] = {
-      {"position_margin", &Certificate::position_margin},
+      {"joint_limit_margin", &Certificate::joint_limit_margin},
       {"velocity_ratio", &Certificate::velocity_ratio},
       {"acceleration_ratio", &Certificate::acceleration_ratio},
       {"jerk_ratio", &Certificate::jerk_ratio},
       {"clearance", &Certificate::clearance},
-      {"position_error_max", &Certificate::position_error_max},
-      {"position_error_mean", &Certificate::position_error_mean},
-      {"position_error_grasp", &Certificate::position_error_grasp},
-      {"orientation_error_max", &Certificate::orientation_error_max},
+      {"tip_error_max", &Certificate::tip_error_max},
+      {"tip_error_mean", &Certificate::tip_error_mean},
+      {"tip_error_grasp", &Certificate::tip_error_grasp},
+      {"tip_orientation_error_max", &Certificate::tip_orientation_error_max},
       {"upper_arm_error_mean", &Certificate::upper_arm_error_mean},
       {"upper_arm_error_max", &Certificate::upper_arm_error_max},
-      {"tempo", &Certificate::tempo},
+      {"duration_ratio", &Certificate::duration_ratio},
       {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
       {"humanlikeness_final", &Certificate::humanlikeness_final},
       {"sparc_robot", &Certificate::sparc_robot},

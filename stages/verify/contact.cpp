@@ -290,9 +290,9 @@ class ContactVerifier {
 
   double required_distance(const ContactPair& pair, bool touching) const {
     const Tolerances& allowed = plan_.tolerances;
-    if (!touching) return allowed.margin;
-    return -(pair.is_pad ? allowed.contact_depth
-                         : allowed.link_depth.value_or(allowed.contact_depth));
+    if (!touching) return allowed.required_clearance;
+    return -(pair.is_pad ? allowed.max_penetration
+                         : allowed.max_link_penetration.value_or(allowed.max_penetration));
   }
 
   void update_body_poses(const JointVector& q, double time_s) {
@@ -345,7 +345,8 @@ class ContactVerifier {
 
   void note(const ContactPair& pair, const CurvePoint& place, double value, double required,
             double excess) {
-    runs_.note(pair.is_object ? "object" : "self", pair.subject, place, value, required, excess);
+    runs_.note(pair.is_object ? "object_collision" : "self_collision", pair.subject, place, value,
+               required, excess);
   }
 
   const RobotModel& robot_;

@@ -11,9 +11,11 @@ namespace morphe::verify {
 namespace {
 
 bool is_allowed_pair(const RobotModel& robot, int first, int second) {
-  return std::any_of(robot.allowed_pairs.begin(), robot.allowed_pairs.end(), [&](const auto& pair) {
-    return (pair[0] == first && pair[1] == second) || (pair[0] == second && pair[1] == first);
-  });
+  return std::any_of(robot.allowed_collision_pairs.begin(), robot.allowed_collision_pairs.end(),
+                     [&](const auto& pair) {
+                       return (pair[0] == first && pair[1] == second) ||
+                              (pair[0] == second && pair[1] == first);
+                     });
 }
 
 }  // namespace

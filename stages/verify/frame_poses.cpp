@@ -14,7 +14,7 @@ bool is_ancestor(const RobotModel& robot, int ancestor, int frame) {
 }
 
 double longest_slide(const RobotModel& robot, const RobotModel::Frame& frame) {
-  if (!frame.slides || frame.joint < 0) return 0;
+  if (!frame.prismatic || frame.joint < 0) return 0;
   return std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
                   std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
 }
@@ -27,7 +27,7 @@ void add_motion_bounds(const RobotModel& robot, const RobotModel::Capsule& capsu
     if (is_ancestor(robot, index, other_frame)) return;
     const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
     if (frame.joint >= 0)
-      lever(frame.joint) += std::abs(frame.ratio) * (frame.slides ? 1 : distance);
+      lever(frame.joint) += std::abs(frame.ratio) * (frame.prismatic ? 1 : distance);
     distance += frame.transform.translation().norm() + longest_slide(robot, frame);
     index = frame.parent;
   }
@@ -46,7 +46,7 @@ void frame_poses(const RobotModel& robot, const JointVector& q,
                : base_from_frame[static_cast<std::size_t>(frame.parent)] * frame.transform;
     if (frame.joint < 0) continue;
     const double value = frame.ratio * q(frame.joint) + frame.offset;
-    if (frame.slides) {
+    if (frame.prismatic) {
       pose.translation() += pose.linear() * (value * frame.axis);
     } else {
       pose.linear() = pose.linear() * Eigen::AngleAxisd(value, frame.axis).toRotationMatrix();

@@ -87,7 +87,7 @@ GoalErrors goal_errors(const RobotModel& robot, const Plan& plan) {
     const Vec3 elbow = point_at(plan.goals.elbow_position, at);
     double distances = 0;
     const RobotModel::JointCentre* first = nullptr;
-    for (const RobotModel::JointCentre& centre : robot.centres) {
+    for (const RobotModel::JointCentre& centre : robot.joint_centres) {
       if (centre.chain != "arm") continue;
       if (!first) first = &centre;
       distances += (to_base_frame(poses, centre.frame, Vec3::Zero()) - elbow).squaredNorm();

@@ -67,7 +67,7 @@ double longest_reach(const RobotModel& robot, const RobotModel::Tip& tip, double
   for (int index = tip.frame; index >= 0;) {
     const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
     reach += frame.transform.translation().norm();
-    if (frame.slides && frame.joint >= 0)
+    if (frame.prismatic && frame.joint >= 0)
       reach += std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
                         std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
     index = frame.parent;
@@ -79,7 +79,7 @@ void verify_reachable(const RobotModel& robot, const Goals& goals, ViolationColl
   constexpr double kMaxPadOffset_m = 0.1;  // beyond the tip, for goals of the pad
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     const double reach = longest_reach(robot, robot.tips[tip], 0) +
-                         (goals.pad_share.rows > 0 ? kMaxPadOffset_m : 0.0);
+                         (goals.tip_to_pad_share.rows > 0 ? kMaxPadOffset_m : 0.0);
     for (std::size_t f = 0; f < goals.frames(); ++f) {
       const std::uint8_t said = goals.reachable(f, tip);
       const double away = goals.tip_position(f, tip).norm();

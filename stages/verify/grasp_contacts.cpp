@@ -53,15 +53,16 @@ double axis_distance(const Segment& axis, const Vec3& point) {
 }
 
 bool is_complete(const PadContact& contact) {
-  return is_known(contact.asked) && is_known(contact.point) && is_known(contact.normal) &&
-         std::isfinite(contact.gap) && std::isfinite(contact.pad_angle);
+  return is_known(contact.desired_point) && is_known(contact.point) && is_known(contact.normal) &&
+         std::isfinite(contact.signed_distance) && std::isfinite(contact.pad_angle);
 }
 
 /// Returns the share of the pad in a tip's goal at a demonstration time.
 double pad_blend_at(const Goals& goals, std::size_t tip, double time_s) {
-  if (goals.pad_share.rows == 0) return 0;
+  if (goals.tip_to_pad_share.rows == 0) return 0;
   const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
-  return std::lerp(goals.pad_share(at.before, tip), goals.pad_share(at.after, tip), at.share);
+  return std::lerp(goals.tip_to_pad_share(at.before, tip), goals.tip_to_pad_share(at.after, tip),
+                   at.share);
 }
 
 /// The amounts by which the contact may be closer to and farther from the centre of the pad's ball
@@ -88,13 +89,13 @@ void verify_contact_tips(const RobotModel& robot, const Plan& plan, ViolationCol
   const double time_s = plan.trajectory.demonstration_time[sample];
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     const bool asked = pad_blend_at(goals, tip, time_s) > 0;
-    const bool closed = !goals.closed.empty() && goals.closed[tip] != 0;
+    const bool closed = !goals.auto_closed.empty() && goals.auto_closed[tip] != 0;
     int told = 0;
     bool otherwise = false;
     for (const PadContact& contact : plan.grasp.contacts) {
       if (contact.tip != robot.tips[tip].name) continue;
       ++told;
-      otherwise = otherwise || (contact.origin == ContactOrigin::closed) != closed;
+      otherwise = otherwise || (contact.origin == ContactOrigin::auto_closed) != closed;
     }
     if (told != (asked ? 1 : 0))
       runs.note_plan("contact", robot.tips[tip].name + "/missing", told, asked ? 1 : 0);
@@ -147,22 +148,23 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationC
     const auto holds = [&](const char* what, double off, double most) {
       if (!(off <= most)) note(what, off, most);
     };
-    holds("asked", std::abs(surface.distance(contact.asked)), kSurfaceTolerance_m);
+    holds("desired_point", std::abs(surface.distance(contact.desired_point)), kSurfaceTolerance_m);
     holds("point", std::abs(surface.distance(contact.point)), kSurfaceTolerance_m);
     const auto number = static_cast<std::size_t>(tip - robot.tips.begin());
     if (const auto goal = goal_at(plan.goals, number, time_s)) {
       // The pad's ball was to touch there, so that its centre is at the distance of its radius.
-      const double off = (object_from_base * *goal - contact.asked).norm() - pad.radius;
-      const bool closed = contact.origin == ContactOrigin::closed;
+      const double off = (object_from_base * *goal - contact.desired_point).norm() - pad.radius;
+      const bool closed = contact.origin == ContactOrigin::auto_closed;
       const PadDistanceTolerance slack =
           closed ? closing_tolerance(plan.goals, number, time_s, capsule) : PadDistanceTolerance();
       holds(
-          "asked", std::max(-off - slack.nearer, off - slack.farther),
+          "desired_point", std::max(-off - slack.nearer, off - slack.farther),
           kSurfaceTolerance_m + kMaxBlendOffset_m * (1 - pad_blend_at(plan.goals, number, time_s)));
     }
     const double gap = surface.distance(axis) - capsule.radius;
-    if (!(std::abs(contact.gap - gap) <= kSurfaceTolerance_m)) note("gap", contact.gap, gap);
-    const double depth = plan.tolerances.contact_depth;
+    if (!(std::abs(contact.signed_distance - gap) <= kSurfaceTolerance_m))
+      note("signed_distance", contact.signed_distance, gap);
+    const double depth = plan.tolerances.max_penetration;
     if (!(gap >= -depth - kPenetrationTolerance_m)) note("penetration", -gap, depth);
     const Vec3 on_axis = contact.point - (capsule.radius + gap) * contact.normal;
     holds("pad", axis_distance(axis, on_axis), kAxisTolerance_m);

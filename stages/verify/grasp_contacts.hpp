@@ -20,7 +20,7 @@ namespace morphe::verify {
 ///             next frame
 /// pad         point - (radius + gap) normal is not on the capsule's axis; 2e-5 m
 /// gap         not the distance between the capsule and the target; 1e-5 m
-/// penetration deeper than the plan's contact_depth; 1e-6 m
+/// penetration deeper than the plan's max_penetration; 1e-6 m
 /// normal      not of unit length (1e-6), or not the direction of steepest increase of the distance
 ///             from the axis outwards; 1e-3 rad. On an edge this direction leads from the point to
 ///             the axis, so that any normal between those of the faces is valid there

@@ -42,50 +42,52 @@ struct WrenchBalance {
 
 /// Adds a contact's force to the sum and returns its distance from the friction cone [N].
 double add_force(const PadContact& contact, const GraspQuality& quality, WrenchBalance& sum) {
-  const Vec3 lever = (contact.point - quality.centre) / quality.torque_scale;
-  const Vec3 force = contact.force * contact.normal + contact.friction;
+  const Vec3 lever = (contact.point - quality.centre_of_mass) / quality.characteristic_length;
+  const Vec3 force = contact.normal_force * contact.normal + contact.friction_force;
   sum.wrench.head<3>() += force;
   sum.wrench.tail<3>() += lever.cross(force);
-  sum.largest = std::max(sum.largest, contact.force);
-  const double most = quality.friction * contact.force, used = contact.friction.norm();
+  sum.largest = std::max(sum.largest, contact.normal_force);
+  const double most = quality.friction_coefficient * contact.normal_force,
+               used = contact.friction_force.norm();
   const double share = most > 0 ? std::min(1.0, used / most) : 1;
-  sum.torsion_moments.push_back(quality.torsion * contact.force * std::sqrt(1 - share * share) /
-                                quality.torque_scale * contact.normal);
-  return std::max(used - most, std::abs(contact.friction.dot(contact.normal)));
+  sum.torsion_moments.push_back(quality.torsional_friction * contact.normal_force *
+                                std::sqrt(1 - share * share) / quality.characteristic_length *
+                                contact.normal);
+  return std::max(used - most, std::abs(contact.friction_force.dot(contact.normal)));
 }
 
 void verify_torques(const Grasp& grasp, const JointVector& expected, const std::string& config,
                     ViolationCollector& runs) {
-  const JointVector& torque = grasp.squeeze_torque;
+  const JointVector& torque = grasp.grasp_torque;
   const double off = (torque - expected).cwiseAbs().maxCoeff();
   if (!(off <= kGraspForceTolerance))
-    runs.note_plan("squeeze", "torque", off, kGraspForceTolerance);
-  const double most = grasp_config_value(config, "joint_torque").value_or(kInfinity);
+    runs.note_plan("grasp_force", "torque", off, kGraspForceTolerance);
+  const double most = grasp_config_value(config, "max_joint_torque").value_or(kInfinity);
   const double largest = torque.cwiseAbs().maxCoeff();
   if (!(largest <= most * (1 + kGraspForceTolerance)))
-    runs.note_plan("squeeze", "torque", largest, most);
+    runs.note_plan("grasp_force", "torque", largest, most);
 
-  const JointVector turned = grasp.squeeze_posture - grasp.hand_posture;
+  const JointVector turned = grasp.servo_target - grasp.grasp_posture;
   const double fitting = torque.squaredNorm() / torque.dot(turned);
   const double stiffness = grasp_config_value(config, "joint_stiffness").value_or(fitting);
   const double beside = torque.isZero(0) ? turned.cwiseAbs().maxCoeff()
                                          : (turned - torque / stiffness).cwiseAbs().maxCoeff();
   if (!(beside <= kGraspForceTolerance))
-    runs.note_plan("squeeze", "servo_target", beside, kGraspForceTolerance);
+    runs.note_plan("grasp_force", "servo_target", beside, kGraspForceTolerance);
 }
 
 /// Checks that no sample of the trajectory has the squeeze's posture.
 void verify_not_in_trajectory(const Plan& plan, ViolationCollector& runs) {
-  const JointVector& target = plan.grasp.squeeze_posture;
-  if ((target - plan.grasp.hand_posture).cwiseAbs().maxCoeff() <= kGraspForceTolerance) return;
+  const JointVector& target = plan.grasp.servo_target;
+  if ((target - plan.grasp.grasp_posture).cwiseAbs().maxCoeff() <= kGraspForceTolerance) return;
   for (Eigen::Index k = plan.grasp.sample; k < plan.trajectory.position.rows(); ++k) {
     double off = 0;
     for (Eigen::Index joint = 0; joint < target.size(); ++joint) {
-      if (plan.grasp.squeeze_torque[joint] == 0) continue;
+      if (plan.grasp.grasp_torque[joint] == 0) continue;
       off = std::max(off, std::abs(plan.trajectory.position(k, joint) - target[joint]));
     }
     if (off > kGraspForceTolerance) continue;
-    runs.note_plan("squeeze", "trajectory", off, kGraspForceTolerance);
+    runs.note_plan("grasp_force", "trajectory", off, kGraspForceTolerance);
     return;
   }
 }
@@ -97,19 +99,19 @@ void verify_grasp_forces(const RobotModel& robot, const Plan& plan, const std::s
   const Grasp& grasp = plan.grasp;
   const std::vector<std::size_t> touching = touching_contacts(grasp);
   const auto note = [&](const std::string& subject, double value, double limit) {
-    runs.note_plan("squeeze", subject, value, limit);
+    runs.note_plan("grasp_force", subject, value, limit);
   };
   for (std::size_t k = 0; k < grasp.contacts.size(); ++k) {
     const PadContact& contact = grasp.contacts[k];
     const bool presses = touching.size() >= 2 && std::ranges::find(touching, k) != touching.end();
-    if (!presses && !(std::isnan(contact.force) && contact.friction.array().isNaN().all()))
-      note(contact.tip + "/force", contact.force, kUnknown);
+    if (!presses &&
+        !(std::isnan(contact.normal_force) && contact.friction_force.array().isNaN().all()))
+      note(contact.tip + "/normal_force", contact.normal_force, kUnknown);
   }
   const auto joints = static_cast<Eigen::Index>(robot.joints());
-  const bool there =
-      grasp.squeeze_torque.size() == joints && grasp.squeeze_posture.size() == joints;
+  const bool there = grasp.grasp_torque.size() == joints && grasp.servo_target.size() == joints;
   if (touching.size() < 2) {
-    if (grasp.squeeze_torque.size() > 0) note("torque", kUnknown, kUnknown);
+    if (grasp.grasp_torque.size() > 0) note("torque", kUnknown, kUnknown);
     return;
   }
   if (!there) {
@@ -117,33 +119,34 @@ void verify_grasp_forces(const RobotModel& robot, const Plan& plan, const std::s
     if (grasp.quality.epsilon_lower > kMinForceClosureEpsilon) note("torque", kUnknown, kUnknown);
     return;
   }
-  if (!grasp.squeeze_torque.allFinite() || !grasp.squeeze_posture.allFinite())
-    return runs.note_plan("finite", "grasp/squeeze", kUnknown, kUnknown);
+  if (!grasp.grasp_torque.allFinite() || !grasp.servo_target.allFinite())
+    return runs.note_plan("finite", "grasp/grasp_force", kUnknown, kUnknown);
 
   const SceneObject& target = *find_object(plan.scene.objects, plan.movement.target);
   const Pose base_from_object = recorded_pose(
       target, plan.trajectory.demonstration_time[static_cast<std::size_t>(grasp.sample)]);
-  const double most = grasp_config_value(config, "squeeze_force").value_or(kInfinity);
+  const double most = grasp_config_value(config, "max_finger_force").value_or(kInfinity);
   WrenchBalance sum;
   JointVector torque = JointVector::Zero(joints);
   for (const std::size_t row : touching) {
     const PadContact& contact = grasp.contacts[row];
-    if (!(contact.force >= 0 && contact.force <= most * (1 + kGraspForceTolerance)))
-      note(contact.tip + "/force", contact.force, contact.force > most ? most : 0);
+    if (!(contact.normal_force >= 0 && contact.normal_force <= most * (1 + kGraspForceTolerance)))
+      note(contact.tip + "/normal_force", contact.normal_force,
+           contact.normal_force > most ? most : 0);
     const double outside = add_force(contact, grasp.quality, sum);
-    const double rounding = kGraspForceTolerance * std::max(1.0, contact.force);
-    if (!(outside <= rounding)) note(contact.tip + "/cone", outside, rounding);
+    const double rounding = kGraspForceTolerance * std::max(1.0, contact.normal_force);
+    if (!(outside <= rounding)) note(contact.tip + "/friction_cone", outside, rounding);
     const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotModel::Tip::name);
-    const Vec3 force =
-        base_from_object.linear() * (contact.force * contact.normal + contact.friction);
+    const Vec3 force = base_from_object.linear() *
+                       (contact.normal_force * contact.normal + contact.friction_force);
     torque +=
-        finger_jacobian(robot, grasp.hand_posture, tip->frame, base_from_object * contact.point)
+        finger_jacobian(robot, grasp.grasp_posture, tip->frame, base_from_object * contact.point)
             .transpose() *
         force;
   }
   const double left = sum.residual(),
                allowed = kMaxImbalanceRatio * sum.largest + kImbalanceFloor_n;
-  if (!(left <= allowed)) note("balance", left, allowed);
+  if (!(left <= allowed)) note("force_balance", left, allowed);
   verify_torques(grasp, torque, config, runs);
   verify_not_in_trajectory(plan, runs);
 }

@@ -110,14 +110,14 @@ bool verify_grasp_pose(const RobotModel& robot, const Plan& plan, ViolationColle
     return false;
   }
   const auto joints = static_cast<Eigen::Index>(robot.joints());
-  if (grasp.tips_in_object.size() != robot.tips.size() || grasp.hand_posture.size() != joints ||
+  if (grasp.tips_in_object.size() != robot.tips.size() || grasp.grasp_posture.size() != joints ||
       grasp.pregrasp_posture.size() != joints) {
     runs.note_plan("structure", "grasp", kUnknown, kUnknown);
     return false;
   }
 
   const JointVector q = plan.trajectory.position.row(sample).transpose();
-  note("hand_posture", (grasp.hand_posture - q).cwiseAbs().maxCoeff());
+  note("grasp_posture", (grasp.grasp_posture - q).cwiseAbs().maxCoeff());
   note("pregrasp_posture", aperture_deficit(robot, plan));
   const double time_s = plan.trajectory.demonstration_time[static_cast<std::size_t>(grasp.sample)];
   const Pose base_from_object = recorded_pose(*target, time_s);
@@ -125,7 +125,7 @@ bool verify_grasp_pose(const RobotModel& robot, const Plan& plan, ViolationColle
   std::vector<Pose> base_from_frame;
   frame_poses(robot, q, base_from_frame);
   const Pose object_from_base = base_from_object.inverse();
-  note("wrist_pose_in_object",
+  note("palm_pose_in_object",
        pose_difference(
            grasp.object_from_palm,
            object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)]));

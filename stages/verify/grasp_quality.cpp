@@ -64,14 +64,15 @@ class GraspQualityVerifier {
     for (const std::size_t row : touching) {
       const PadContact& contact = plan_.grasp.contacts[row];
       pressing.contacts.push_back(contact_wrench_basis(
-          (contact.point - stored_.centre) / stored_.torque_scale, contact.normal.normalized(),
-          stored_.friction, stored_.torsion / stored_.torque_scale));
+          (contact.point - stored_.centre_of_mass) / stored_.characteristic_length,
+          contact.normal.normalized(), stored_.friction_coefficient,
+          stored_.torsional_friction / stored_.characteristic_length));
     }
     verify_epsilon(pressing);
     pressing.individually_bounded = true;
     // The centre of mass is the reference point of torques; its velocity is the twist's linear
     // part.
-    verify_required_force("needed_worst", stored_.needed_worst, pressing,
+    verify_required_force("required_force_worst", stored_.required_force_worst, pressing,
                           [](const Vector6& u) { return u.head<3>().norm(); });
     verify_gravity_force(pressing);
     verify_available_force(touching);
@@ -93,28 +94,29 @@ class GraspQualityVerifier {
         note(name, value, stated);
       }
     };
-    judge("friction", stored_.friction);
-    judge("torsion", stored_.torsion);
+    judge("friction_coefficient", stored_.friction_coefficient);
+    judge("torsional_friction", stored_.torsional_friction);
     judge("mass", stored_.mass);
     return usable;
   }
 
   bool verify_centre_and_scale() {
     const Vec3 centre = centre_of_mass(target_);
-    const double off = (stored_.centre - centre).norm(), reach = reach_of(target_, centre);
-    if (!(off <= kQualityTolerance)) note("centre", off, kQualityTolerance);
-    if (!(std::abs(stored_.torque_scale - reach) <= kQualityTolerance))
-      note("torque_scale", stored_.torque_scale, reach);
-    return is_known(stored_.centre) && stored_.torque_scale > 0 &&
-           std::isfinite(stored_.torque_scale);
+    const double off = (stored_.centre_of_mass - centre).norm(), reach = reach_of(target_, centre);
+    if (!(off <= kQualityTolerance)) note("centre_of_mass", off, kQualityTolerance);
+    if (!(std::abs(stored_.characteristic_length - reach) <= kQualityTolerance))
+      note("characteristic_length", stored_.characteristic_length, reach);
+    return is_known(stored_.centre_of_mass) && stored_.characteristic_length > 0 &&
+           std::isfinite(stored_.characteristic_length);
   }
 
   void verify_no_figures() {
-    const std::pair<const char*, double> figures[] = {{"epsilon_lower", stored_.epsilon_lower},
-                                                      {"epsilon_upper", stored_.epsilon_upper},
-                                                      {"needed_worst", stored_.needed_worst},
-                                                      {"needed_down", stored_.needed_down},
-                                                      {"given", stored_.given}};
+    const std::pair<const char*, double> figures[] = {
+        {"epsilon_lower", stored_.epsilon_lower},
+        {"epsilon_upper", stored_.epsilon_upper},
+        {"required_force_worst", stored_.required_force_worst},
+        {"required_force_gravity", stored_.required_force_gravity},
+        {"available_force", stored_.available_force}};
     for (const auto& [name, value] : figures) {
       if (!std::isnan(value)) note(name, value, kUnknown);
     }
@@ -147,23 +149,25 @@ class GraspQualityVerifier {
   }
 
   void verify_gravity_force(const WrenchSet& pressing) {
-    if (!seen_frame(plan_.world.base_from_world)) {  // the direction of gravity is unknown
-      if (!std::isnan(stored_.needed_down)) note("needed_down", stored_.needed_down, kUnknown);
+    if (!seen_frame(
+            plan_.reference_frames.base_from_world)) {  // the direction of gravity is unknown
+      if (!std::isnan(stored_.required_force_gravity))
+        note("required_force_gravity", stored_.required_force_gravity, kUnknown);
       return;
     }
     const auto sample = static_cast<std::size_t>(plan_.grasp.sample);
     const Pose base_from_object =
         recorded_pose(target_, plan_.trajectory.demonstration_time[sample]);
-    const Vec3 up =
-        base_from_object.linear().transpose() * plan_.world.base_from_world.linear().col(2);
-    verify_required_force("needed_down", stored_.needed_down, pressing,
+    const Vec3 up = base_from_object.linear().transpose() *
+                    plan_.reference_frames.base_from_world.linear().col(2);
+    verify_required_force("required_force_gravity", stored_.required_force_gravity, pressing,
                           [&](const Vector6& u) { return std::max(0.0, up.dot(u.head<3>())); });
   }
 
   static bool seen_frame(const Pose& pose) { return pose.matrix().allFinite(); }
 
   void verify_available_force(const std::vector<std::size_t>& touching) {
-    const std::optional<double> torque = grasp_config_value(config_, "joint_torque");
+    const std::optional<double> torque = grasp_config_value(config_, "max_joint_torque");
     if (!torque) return;
     const Grasp& grasp = plan_.grasp;
     const auto sample = static_cast<std::size_t>(grasp.sample);
@@ -174,13 +178,13 @@ class GraspQualityVerifier {
       const PadContact& contact = grasp.contacts[row];
       const auto tip = std::ranges::find(robot_.tips, contact.tip, &RobotModel::Tip::name);
       const Vec3 normal = base_from_object.linear() * contact.normal;
-      const Eigen::Matrix3Xd levers =
-          finger_jacobian(robot_, grasp.hand_posture, tip->frame, base_from_object * contact.point);
+      const Eigen::Matrix3Xd levers = finger_jacobian(robot_, grasp.grasp_posture, tip->frame,
+                                                      base_from_object * contact.point);
       most = std::max(most, (normal.transpose() * levers).cwiseAbs().maxCoeff());
     }
     const double given = *torque / most;
-    if (!(std::abs(stored_.given - given) <= kQualityTolerance * given))
-      note("given", stored_.given, given);
+    if (!(std::abs(stored_.available_force - given) <= kQualityTolerance * given))
+      note("available_force", stored_.available_force, given);
   }
 
   const RobotModel& robot_;
@@ -196,7 +200,7 @@ class GraspQualityVerifier {
 std::vector<std::size_t> touching_contacts(const Grasp& grasp) {
   std::vector<std::size_t> rows;
   for (std::size_t k = 0; k < grasp.contacts.size(); ++k) {
-    if (grasp.contacts[k].gap <= kMaxContactGap_m) rows.push_back(k);
+    if (grasp.contacts[k].signed_distance <= kMaxContactGap_m) rows.push_back(k);
   }
   return rows;
 }

@@ -15,11 +15,12 @@ std::vector<std::size_t> touching_contacts(const Grasp& grasp);
 /// Records `quality` violations for values that the plan's contacts do not confirm
 /// (verify_grasp_contacts() must have confirmed the contacts):
 /// friction, torsion, mass    negative, or not the config's value (if that can be read)
-/// centre, torque_scale       not those of the target's shape; 1e-6 m
+/// centre, characteristic_length       not those of the target's shape; 1e-6 m
 /// epsilon_lower              above an upper bound that was found; epsilon_upper below a lower
 ///                            bound (wrench_bounds.hpp)
 /// epsilon                    the two bounds are farther apart than 5 % or 1e-3
-/// needed_worst, needed_down  less than an upper bound of the supported weight permits, or more
+/// required_force_worst, required_force_gravity  less than an upper bound of the supported weight
+/// permits, or more
 ///                            than 5 % (and 2e-3 of that weight) above the value that a lower bound
 ///                            requires
 /// given                      not the config's joint_torque divided by the largest lever of any

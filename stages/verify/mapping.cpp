@@ -40,8 +40,8 @@ class MappingVerifier {
 
   void judge(ViolationCollector& runs) {
     for (std::size_t f = 0; f < plan_.goals.frames(); ++f) verify_frame(f);
-    position_.note("position_error", runs);
-    orientation_.note("orientation_error", runs);
+    position_.note("tip_error", runs);
+    orientation_.note("tip_orientation_error", runs);
     likeness_.note("humanlikeness", runs);
     status_.note("status", runs);
   }
@@ -54,9 +54,10 @@ class MappingVerifier {
     bool any = false, met = true, nearly = true, reachable = true;
     for (std::size_t tip = 0; tip < robot_.tips.size(); ++tip) {
       const auto col = static_cast<Eigen::Index>(tip);
-      orientation_.compare(plan_.mapped.orientation_error(row, col), tip_orientation_error(f, tip));
+      orientation_.compare(plan_.mapped.tip_orientation_error(row, col),
+                           tip_orientation_error(f, tip));
       const double error = tip_position_error(f, tip);
-      position_.compare(plan_.mapped.position_error(row, col), error);
+      position_.compare(plan_.mapped.tip_error(row, col), error);
       if (std::isnan(error)) continue;
       any = true;
       met = met && error < kGoalMetTolerance_m - kRoundingTolerance_m;
@@ -91,7 +92,7 @@ class MappingVerifier {
     const Vec3& elbow = plan_.goals.elbow_position[f];
     double sum = 0;
     bool any = false;
-    for (const RobotModel::JointCentre& centre : robot_.centres) {
+    for (const RobotModel::JointCentre& centre : robot_.joint_centres) {
       if (centre.chain != "arm") continue;
       any = true;
       sum += (to_base_frame(poses_, centre.frame, Vec3::Zero()) - elbow).squaredNorm();
@@ -112,10 +113,10 @@ void verify_mapping(const RobotModel& robot, const Plan& plan, ViolationCollecto
   const MappingResult& mapped = plan.mapped;
   const auto frames = static_cast<Eigen::Index>(plan.goals.frames());
   const auto tips = static_cast<Eigen::Index>(robot.tips.size());
-  const bool whole = mapped.position.rows() == frames && mapped.position_error.rows() == frames &&
-                     mapped.position_error.cols() == tips &&
-                     mapped.orientation_error.rows() == frames &&
-                     mapped.orientation_error.cols() == tips &&
+  const bool whole = mapped.position.rows() == frames && mapped.tip_error.rows() == frames &&
+                     mapped.tip_error.cols() == tips &&
+                     mapped.tip_orientation_error.rows() == frames &&
+                     mapped.tip_orientation_error.cols() == tips &&
                      mapped.humanlikeness.rows() == frames && mapped.humanlikeness.cols() == 3 &&
                      mapped.status.size() == plan.goals.frames() && mapped.position.allFinite();
   if (!whole) {

@@ -44,9 +44,10 @@ std::vector<PadSphere> pad_spheres(const RobotModel& robot) {
 Vec3 tracked_point(const RobotModel& robot, const std::vector<PadSphere>& pads, const Goals& goals,
                    std::size_t tip, double time_s) {
   const Vec3 own = robot.tips[tip].transform.translation();
-  if (goals.pad_share.rows == 0) return own;
+  if (goals.tip_to_pad_share.rows == 0) return own;
   const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
-  const double before = goals.pad_share(at.before, tip), after = goals.pad_share(at.after, tip);
+  const double before = goals.tip_to_pad_share(at.before, tip),
+               after = goals.tip_to_pad_share(at.after, tip);
   const double share = before + at.share * (after - before);
   return share == 0 ? own : Vec3(own + share * (pads[tip].centre - own));
 }

@@ -14,7 +14,7 @@ constexpr double kMaxPathDeviation_rad = 0.2, kMaxPathDeviation_m = 0.1;
 bool is_prismatic_joint(const RobotModel& robot, Eigen::Index joint) {
   const auto first =
       std::ranges::find(robot.frames, static_cast<int>(joint), &RobotModel::Frame::joint);
-  return first != robot.frames.end() && first->slides;
+  return first != robot.frames.end() && first->prismatic;
 }
 
 bool is_nondecreasing(const std::vector<double>& time) {

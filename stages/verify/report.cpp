@@ -67,7 +67,8 @@ std::string verify_text(const VerifyReport& report) {
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
   return out + fmt::format("{} executable, {}{} infeasible, {}\n", report.executable, approximate,
-                           report.infeasible, count_with_noun(report.violations.size(), "violation"));
+                           report.infeasible,
+                           count_with_noun(report.violations.size(), "violation"));
 }
 
 }  // namespace morphe::verify

@@ -18,13 +18,14 @@ void verify_tolerances(const Plan& plan, const PlanRequest& asked, ViolationColl
   const auto holds = [&](const char* name, double is, double should) {
     if (!same_number(is, should)) runs.note_plan("config", name, is, should);
   };
-  holds("margin", own.margin, wanted.margin);
-  holds("contact_depth", own.contact_depth, wanted.contact_depth);
-  holds("link_depth", own.link_depth.value_or(kUnknown), wanted.link_depth.value_or(kUnknown));
-  holds("tracking_grasp", own.tracking_grasp, wanted.tracking_grasp);
-  holds("tracking", own.tracking, wanted.tracking);
-  holds("out_of_reach_share", own.out_of_reach_share, wanted.out_of_reach_share);
-  holds("farthest_tip", own.farthest_tip, wanted.farthest_tip);
+  holds("required_clearance", own.required_clearance, wanted.required_clearance);
+  holds("max_penetration", own.max_penetration, wanted.max_penetration);
+  holds("max_link_penetration", own.max_link_penetration.value_or(kUnknown),
+        wanted.max_link_penetration.value_or(kUnknown));
+  holds("tracking_tolerance_grasp", own.tracking_tolerance_grasp, wanted.tracking_tolerance_grasp);
+  holds("tracking_tolerance", own.tracking_tolerance, wanted.tracking_tolerance);
+  holds("max_unreachable_share", own.max_unreachable_share, wanted.max_unreachable_share);
+  holds("max_tip_error", own.max_tip_error, wanted.max_tip_error);
 }
 
 void verify_plan_times(const Plan& plan, const PlanRequest& asked, ViolationCollector& runs) {
@@ -40,7 +41,7 @@ void verify_plan_times(const Plan& plan, const PlanRequest& asked, ViolationColl
     if (!(std::abs(is - should) <= kPhaseTimeTolerance_s))
       runs.note_plan("config", name, is, should);
   };
-  holds("start_s", plan.movement.begin_s, phases.front().begin_s);
+  holds("begin_s", plan.movement.begin_s, phases.front().begin_s);
   const Phase* last = last_phase(plan.movement, *asked.plan_until);
   if (!last) last = last_phase(plan.movement, PhaseKind::grasp);
   if (last) holds("end_s", plan.movement.end_s, last->end_s);
@@ -96,7 +97,7 @@ void verify_scene_bodies(const Plan& plan, const PlanRequest& asked, ViolationCo
       continue;
     }
     if (named_only) continue;
-    const Pose place = base_from(body.relative_to, plan.world) *
+    const Pose place = base_from(body.relative_to, plan.reference_frames) *
                        make_pose(body.object.position[0], body.object.orientation[0]);
     const Pose is = make_pose(own->position[0], own->orientation[0]);
     const double off = (is.matrix() - place.matrix()).cwiseAbs().maxCoeff();
@@ -110,7 +111,7 @@ void verify_attached_frame(const Plan& plan, const PlanRequest& asked, Violation
   if (!target || plan.movement.target.empty()) return;
   const bool carried = target->attach_s < plan.movement.end_s;
   if (target->attached_frame != (carried ? asked.carrier_frame : ""))
-    runs.note_plan("config", "carried", kUnknown, kUnknown);
+    runs.note_plan("config", "carried_by", kUnknown, kUnknown);
 }
 
 }  // namespace

@@ -6,7 +6,8 @@
 namespace morphe::verify {
 
 /// Records `config` violations if a plan with a trajectory differs from the request:
-/// margin, contact_depth, link_depth, tracking_grasp, tracking, out_of_reach_share, farthest_tip
+/// margin, max_penetration, max_link_penetration, tracking_tolerance_grasp, tracking,
+/// max_unreachable_share, max_tip_error
 ///                    not the config's value
 /// goals              frames are not spaced by the config's step; 1e-6 s
 /// start_s, end_s     not the begin of the first phase and the end of the last phase to be planned;

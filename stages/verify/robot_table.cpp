@@ -64,21 +64,21 @@ std::vector<Column> columns_of(const RobotModel& robot) {
       member("frames/joint", robot.frames, &Frame::joint),
       member("frames/ratio", robot.frames, &Frame::ratio),
       member("frames/offset", robot.frames, &Frame::offset),
-      member("frames/slides", robot.frames, &Frame::slides),
+      member("frames/prismatic", robot.frames, &Frame::prismatic),
       member("tips/name", robot.tips, &Tip::name),
       member("tips/frame", robot.tips, &Tip::frame),
       member("tips/transform", robot.tips, &Tip::transform),
       member("tips/finger", robot.tips, &Tip::finger),
-      member("tips/along", robot.tips, &Tip::along),
-      member("centres/frame", robot.centres, &Centre::frame),
-      member("centres/chain", robot.centres, &Centre::chain),
+      member("tips/finger_curve_share", robot.tips, &Tip::finger_curve_share),
+      member("joint_centres/frame", robot.joint_centres, &Centre::frame),
+      member("joint_centres/chain", robot.joint_centres, &Centre::chain),
       member("capsules/name", robot.capsules, &Capsule::name),
       member("capsules/frame", robot.capsules, &Capsule::frame),
       member("capsules/from", robot.capsules, &Capsule::from),
       member("capsules/to", robot.capsules, &Capsule::to),
       member("capsules/radius", robot.capsules, &Capsule::radius),
       member("capsules/may_touch_target", robot.capsules, &Capsule::may_touch_target),
-      column("allowed_pairs", robot.allowed_pairs,
+      column("allowed_collision_pairs", robot.allowed_collision_pairs,
              [](Column& out, const std::array<int, 2>& pair) {
                add(out, std::min(pair[0], pair[1]));
                add(out, std::max(pair[0], pair[1]));
@@ -91,8 +91,8 @@ std::vector<Column> columns_of(const RobotModel& robot) {
              }),
       column("braking_curves", robot.braking_curves,
              [](Column& out, const Curve& own) {
-               for (const double value : {static_cast<double>(own.joint), own.slope, own.drop,
-                                          own.lower_end, own.upper_end})
+               for (const double value : {static_cast<double>(own.joint), own.twice_deceleration,
+                                          own.velocity_offset, own.lower_end, own.upper_end})
                  add(out, value);
              }),
       column("unchecked_links", robot.unchecked_links, itself),

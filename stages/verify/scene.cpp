@@ -66,10 +66,10 @@ void verify_scene(const RobotModel& robot, const Plan& plan, ViolationCollector&
     verify_attachment(robot, plan, object, runs);
   }
   // written by an earlier version, or no object was placed
-  if (is_absent(plan.world.base_from_world)) return;
-  const Eigen::Matrix3d& turn = plan.world.base_from_world.linear();
+  if (is_absent(plan.reference_frames.base_from_world)) return;
+  const Eigen::Matrix3d& turn = plan.reference_frames.base_from_world.linear();
   if (!(turn.isUnitary(kScenePoseTolerance) && turn.determinant() > 0))
-    runs.note_plan("scene", "world/recording", kUnknown, kUnknown);
+    runs.note_plan("scene", "reference_frames/recording", kUnknown, kUnknown);
   const double begin_s = plan.movement.begin_s;
   const auto holds = [&](const char* name, const Pose& stored, const std::optional<Pose>& wanted) {
     const double away = pose_error(stored, wanted);
@@ -80,8 +80,8 @@ void verify_scene(const RobotModel& robot, const Plan& plan, ViolationCollector&
   if (table && table->shape == Shape::box)
     top = recorded_pose(*table, begin_s) * Eigen::Translation3d(0, 0, table->size[2] / 2);
   if (target) standing = recorded_pose(*target, begin_s);
-  holds("world/table", plan.world.base_from_table, top);
-  holds("world/target", plan.world.base_from_target, standing);
+  holds("reference_frames/table", plan.reference_frames.base_from_table, top);
+  holds("reference_frames/target", plan.reference_frames.base_from_target, standing);
 }
 
 }  // namespace morphe::verify

@@ -12,7 +12,7 @@ double unreachable_share(const Goals& goals) {
   for (std::size_t f = 0; f < goals.tip_position.rows; ++f) {
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
       if (!goals.tip_position(f, tip).allFinite()) continue;
-      if (!goals.closed.empty() && goals.closed[tip] != 0) continue;
+      if (!goals.auto_closed.empty() && goals.auto_closed[tip] != 0) continue;
       asked += 1;
       out += goals.reachable(f, tip) == 0 ? 1 : 0;
     }
@@ -23,7 +23,8 @@ double unreachable_share(const Goals& goals) {
 }  // namespace
 
 void verify_status(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
-  const double most = plan.tolerances.out_of_reach_share, farthest = plan.tolerances.farthest_tip;
+  const double most = plan.tolerances.max_unreachable_share,
+               farthest = plan.tolerances.max_tip_error;
   if (std::isnan(most) && std::isnan(farthest)) return;
   const double share = unreachable_share(plan.goals);
   const double tip = goal_errors(robot, plan).position_max;
@@ -32,8 +33,8 @@ void verify_status(const RobotModel& robot, const Plan& plan, ViolationCollector
     if (!out_of_reach && !far) runs.note_plan("status", "approximate", share, most);
     return;
   }
-  if (out_of_reach) runs.note_plan("status", "out_of_reach_share", share, most);
-  if (far) runs.note_plan("status", "farthest_tip", tip, farthest);
+  if (out_of_reach) runs.note_plan("status", "max_unreachable_share", share, most);
+  if (far) runs.note_plan("status", "max_tip_error", tip, farthest);
 }
 
 }  // namespace morphe::verify

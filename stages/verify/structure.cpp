@@ -85,8 +85,10 @@ const char* robot_fault(const RobotModel& robot) {
       return "robot/coupled_limits";
   }
   for (const RobotModel::BrakingCurve& curve : robot.braking_curves) {
-    const double sum = curve.slope + curve.drop + curve.lower_end + curve.upper_end;
-    if (!(std::isfinite(sum) && curve.slope > 0 && curve.drop >= 0)) return "robot/braking_curves";
+    const double sum =
+        curve.twice_deceleration + curve.velocity_offset + curve.lower_end + curve.upper_end;
+    if (!(std::isfinite(sum) && curve.twice_deceleration > 0 && curve.velocity_offset >= 0))
+      return "robot/braking_curves";
   }
   for (const RobotModel::Tip& tip : robot.tips)
     if (!rigid(tip.transform)) return "robot/tips";
@@ -129,9 +131,9 @@ bool verify_goal_arrays(const RobotModel& robot, const Plan& plan, ViolationColl
     runs.note_plan("time", "goals", kUnknown, kUnknown);
     return false;
   }
-  const Array2D<double>& share = goals.pad_share;
+  const Array2D<double>& share = goals.tip_to_pad_share;
   if ((share.rows != 0 && (share.rows != goals.frames() || share.cols != robot.tips.size())) ||
-      (!goals.closed.empty() && goals.closed.size() != robot.tips.size())) {
+      (!goals.auto_closed.empty() && goals.auto_closed.size() != robot.tips.size())) {
     runs.note_plan("structure", "goals", static_cast<double>(share.cols),
                    static_cast<double>(robot.tips.size()));
     return false;
@@ -139,12 +141,13 @@ bool verify_goal_arrays(const RobotModel& robot, const Plan& plan, ViolationColl
   const auto beyond =
       std::ranges::find_if(share.values, [](double value) { return !(value >= 0 && value <= 1); });
   if (beyond != share.values.end()) {
-    runs.note_plan("structure", "goals/pad_share", *beyond, 1);
+    runs.note_plan("structure", "goals/tip_to_pad_share", *beyond, 1);
     return false;
   }
-  const auto neither = std::ranges::find_if(goals.closed, [](auto value) { return value > 1; });
-  if (neither != goals.closed.end()) {
-    runs.note_plan("structure", "goals/closed", *neither, 1);
+  const auto neither =
+      std::ranges::find_if(goals.auto_closed, [](auto value) { return value > 1; });
+  if (neither != goals.auto_closed.end()) {
+    runs.note_plan("structure", "goals/auto_closed", *neither, 1);
     return false;
   }
   return true;
@@ -172,8 +175,9 @@ bool verify_structure(const RobotModel& robot, const Plan& plan, ViolationCollec
     return false;
   }
   if (!plan.has_trajectory()) return false;
-  if (!plan.remaining.empty())
-    runs.note_plan("structure", "remaining", static_cast<double>(plan.remaining.size()), 0);
+  if (!plan.remaining_findings.empty())
+    runs.note_plan("structure", "remaining_findings",
+                   static_cast<double>(plan.remaining_findings.size()), 0);
   if (const char* fault = robot_fault(robot)) {
     runs.note_plan("structure", fault, kUnknown, kUnknown);
     return false;

@@ -27,8 +27,8 @@ bool is_grasping(const std::vector<Phase>& phases, double time_s);
 std::optional<Vec3> goal_at(const Goals& goals, std::size_t tip, double time_s);
 
 /// Records `tracking` violations for each tip that is farther from its goal than the plan
-/// tolerates: `tracking_grasp` in grasp and hold, otherwise `tracking`; between samples, where the
-/// bound is proved by bisection, 1e-4 m more.
+/// tolerates: `tracking_tolerance_grasp` in grasp and hold, otherwise `tracking`; between samples,
+/// where the bound is proved by bisection, 1e-4 m more.
 void verify_tracking(const RobotModel& robot, const Plan& plan, const Curve& curve,
                      ViolationCollector& runs);
 

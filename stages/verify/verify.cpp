@@ -39,7 +39,7 @@ std::vector<Violation> verify_approach_retreat_motion(const RobotModel& robot,
     verify_contacts(robot, plan, curve, runs);
     verify_approach_retreat(plan, motion, which, asked, runs);
     if (asked && asked->home)
-      verify_limit_share(use, asked->limit_share * asked->home->limit_share, runs);
+      verify_limit_scaling(use, asked->limit_scaling * asked->home->limit_scaling, runs);
   }
   return runs.finish();
 }
@@ -47,8 +47,8 @@ std::vector<Violation> verify_approach_retreat_motion(const RobotModel& robot,
 void verify_grasp(const RobotModel& robot, const Plan& plan, const std::string& config,
                   ViolationCollector& runs) {
   if (!has_grasp(plan) || !verify_grasp_pose(robot, plan, runs)) return;
-  if (plan.grasp.contacts.empty() && plan.grasp.squeeze_torque.size() > 0)
-    runs.note_plan("structure", "grasp/squeeze", 0, kUnknown);
+  if (plan.grasp.contacts.empty() && plan.grasp.grasp_torque.size() > 0)
+    runs.note_plan("structure", "grasp/grasp_force", 0, kUnknown);
   if (!verify_grasp_contacts(robot, plan, runs)) return;
   verify_grasp_quality(robot, plan, config, runs);
   verify_grasp_forces(robot, plan, config, runs);
@@ -75,7 +75,7 @@ std::vector<Violation> judged(const RobotModel& robot, const std::string& plan_p
   const Curve curve = make_curve(plan.trajectory);
   verify_rest(robot, plan.trajectory, runs);
   const LimitUse use = verify_limits(robot, curve, runs);
-  if (asked) verify_limit_share(use, asked->limit_share, runs);
+  if (asked) verify_limit_scaling(use, asked->limit_scaling, runs);
   verify_tracking(robot, plan, curve, runs);
   verify_status(robot, plan, runs);
   const double clearance = verify_contacts(robot, plan, curve, runs);

@@ -57,8 +57,8 @@ class TrackingVerifier {
 
  private:
   double tolerance_at(double time_s) const {
-    return is_grasping(plan_.movement.phases, time_s) ? plan_.tolerances.tracking_grasp
-                                                      : plan_.tolerances.tracking;
+    return is_grasping(plan_.movement.phases, time_s) ? plan_.tolerances.tracking_tolerance_grasp
+                                                      : plan_.tolerances.tracking_tolerance;
   }
 
   /// Returns the error of a tip; NaN if it has no goal at that time.
@@ -92,8 +92,9 @@ class TrackingVerifier {
     const Trajectory& trajectory = *curve_.trajectory;
     const double begin_s = trajectory.demonstration_time[piece];
     const double end_s = trajectory.demonstration_time[piece + 1];
-    const double least = kInterSampleTolerance_m +
-                         std::min(plan_.tolerances.tracking_grasp, plan_.tolerances.tracking);
+    const double least =
+        kInterSampleTolerance_m +
+        std::min(plan_.tolerances.tracking_tolerance_grasp, plan_.tolerances.tracking_tolerance);
     std::vector<std::size_t> open;
     for (std::size_t tip = 0; tip < robot_.tips.size(); ++tip) {
       const double both = before[tip] + after[tip] + max_tip_travel(piece, tip, 1) +
@@ -166,9 +167,9 @@ class TrackingVerifier {
     const GoalInterpolation at = interpolate_goal_frames(goals, time_s);
     if (at.before == at.after) return 0;
     double way = (goals.tip_position(at.after, tip) - goals.tip_position(at.before, tip)).norm();
-    if (goals.pad_share.rows > 0)
-      way += pad_offsets_[tip] *
-             std::abs(goals.pad_share(at.after, tip) - goals.pad_share(at.before, tip));
+    if (goals.tip_to_pad_share.rows > 0)
+      way += pad_offsets_[tip] * std::abs(goals.tip_to_pad_share(at.after, tip) -
+                                          goals.tip_to_pad_share(at.before, tip));
     return way / (goals.time[at.after] - goals.time[at.before]);
   }
 

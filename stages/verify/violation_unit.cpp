@@ -22,7 +22,7 @@ bool is_prismatic(const RobotModel& robot, const std::string& subject) {
     const bool named =
         frame.name == subject ||
         (frame.joint >= 0 && robot.joint_names[static_cast<std::size_t>(frame.joint)] == subject);
-    return named && frame.slides;
+    return named && frame.prismatic;
   });
 }
 
@@ -34,35 +34,36 @@ std::string unit_of(const RobotModel& robot, const Violation& violation) {
                                  {"acceleration", "/s^2"},
                                  {"jerk", "/s^3"},
                                  {"rest", "/s or /s^2"}};
-  static const Units of_cause = {{"tracking", "m"}, {"self", "m"}, {"object", "m"}, {"time", "s"}};
+  static const Units of_cause = {
+      {"tracking", "m"}, {"self_collision", "m"}, {"object_collision", "m"}, {"time", "s"}};
   static const std::set<std::string_view, std::less<>> of_the_grasp = {"grasp", "contact",
-                                                                       "quality", "squeeze"};
+                                                                       "quality", "grasp_force"};
   static const Units of_grasp = {{"tips_in_object", "m"},
-                                 {"hand_posture", "rad"},
-                                 {"asked", "m"},
+                                 {"grasp_posture", "rad"},
+                                 {"desired_point", "m"},
                                  {"point", "m"},
                                  {"pad", "m"},
-                                 {"gap", "m"},
+                                 {"signed_distance", "m"},
                                  {"penetration", "m"},
                                  {"normal", "rad"},
                                  {"pad_angle", "rad"},
-                                 {"torsion", "m"},
+                                 {"torsional_friction", "m"},
                                  {"mass", "kg"},
-                                 {"centre", "m"},
-                                 {"torque_scale", "m"},
-                                 {"needed_worst", "N"},
-                                 {"needed_down", "N"},
-                                 {"given", "N"},
-                                 {"force", "N"},
-                                 {"cone", "N"},
-                                 {"balance", "N"},
+                                 {"centre_of_mass", "m"},
+                                 {"characteristic_length", "m"},
+                                 {"required_force_worst", "N"},
+                                 {"required_force_gravity", "N"},
+                                 {"available_force", "N"},
+                                 {"normal_force", "N"},
+                                 {"friction_cone", "N"},
+                                 {"force_balance", "N"},
                                  {"torque", "N m"},
                                  {"servo_target", "rad"},
                                  {"trajectory", "rad"}};
   static const Units of_subject = {
-      {"farthest_tip", "m"},           {"clearance", "m"},
-      {"position_error_max", "m"},     {"position_error_mean", "m"},
-      {"position_error_grasp", "m"},   {"orientation_error_max", "rad"},
+      {"max_tip_error", "m"},          {"clearance", "m"},
+      {"tip_error_max", "m"},          {"tip_error_mean", "m"},
+      {"tip_error_grasp", "m"},        {"tip_orientation_error_max", "rad"},
       {"upper_arm_error_mean", "rad"}, {"upper_arm_error_max", "rad"},
       {"humanlikeness_mapped", "m^2"}, {"humanlikeness_final", "m^2"}};
   const auto joint = of_joint.find(violation.cause);

@@ -90,16 +90,17 @@ def main():
                 if not advice["settings"]:
                     continue
                 status = status_with(options.morphe, config, one, plan["plan"], advice["settings"], folder / "again")
-                tried[advice["effect"]] += 1
-                helped[advice["effect"]] += status == "executable"
+                tried[advice["kind"]] += 1
+                helped[advice["kind"]] += status == "executable"
                 if status == "executable" and by == "nothing":
-                    by = advice["effect"]
-                print(f"  {advice['effect']:8} {' '.join(advice['settings']):70} {status}")
+                    by = advice["kind"]
+                print(f"  {advice['kind']:18} {' '.join(advice['settings']):70} {status}")
             first[by] += 1
-        for effect in ("solves", "accepts", "assumes"):
-            print(f"{effect}: {helped[effect]} of {tried[effect]} advices made their movement executable")
-        print(f"of {len(chosen)} movements {first['solves']} are executable by what solves, {first['accepts']} more "
-              f"by what accepts, {first['assumes']} more by what assumes otherwise, {first['nothing']} by none")
+        for kind in ("may_solve", "relaxes_tolerance", "changes_assumption"):
+            print(f"{kind}: {helped[kind]} of {tried[kind]} advices made their movement executable")
+        print(f"of {len(chosen)} movements {first['may_solve']} are executable by what may solve them, "
+              f"{first['relaxes_tolerance']} more by what relaxes a tolerance, {first['changes_assumption']} more by what "
+              f"changes an assumption, {first['nothing']} by none")
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ def measured(arguments, budget, folder):
         return f"{statistics.median(values):9.2f}" if values else f"{'-':>9}"
     inside, gap, median, most = zip(*figures)
     return (f"{budget or 'default':>8} {capsules:>9} {min(inside):>9.1f} {max(gap):>7.2f} {statistics.median(median):>10.1f} "
-            f"{max(most):>7.1f} {f'{len(certificates)} of {len(plans)}':>8} {of('clearance')} {of('position_error_max')} "
+            f"{max(most):>7.1f} {f'{len(certificates)} of {len(plans)}':>8} {of('clearance')} {of('tip_error_max')} "
             f"{setup_s:>8.1f} {min(seconds):>7.2f}")
 
 

@@ -50,7 +50,7 @@ def first_plan(arguments, robot, folder):
     more = [word for value in arguments.set for word in ("--set", value)]
     place_s, said = called(morphe, "place", config, "--out", folder / "placed.yaml", "--json", *more)
     placed = json.loads(said)
-    given, best = placed["given"], placed["places"][0]
+    configured, best = placed["configured"], placed["placements"][0]
     run_s, said = called(morphe, "run", folder / "placed.yaml", "--out", folder / "plans", "--json", *more)
     run = json.loads(said)
     verified = json.loads(subprocess.run([morphe, "verify", folder / "plans/plans.h5", "--json"], capture_output=True,
@@ -62,11 +62,11 @@ def first_plan(arguments, robot, folder):
     def median(values, unit=1.0, digits=1):
         return f"{unit * statistics.median(values):.{digits}f}" if values else "-"
     return (seconds, place_s, run_s, len(report["joints"]), report["capsules"],
-            f"{run['executable']} of {run['movements']}", f"{100 * best['out_of_reach']:.1f}",
-            median([float(c["position_error_mean"]) for c in certificates], 1e3, 2),
-            median([float(c["tempo"]) for c in certificates], 1, 2),
-            median([float(c["upper_arm_error_mean"]) for c in certificates], DEGREE), f"{DEGREE * best['palm']:.1f}",
-            f"{DEGREE * given['upper_arm_median']:.1f}", len(verified["violations"]), "; ".join(checks))
+            f"{run['executable']} of {run['movements']}", f"{100 * best['unreachable_share']:.1f}",
+            median([float(c["tip_error_mean"]) for c in certificates], 1e3, 2),
+            median([float(c["duration_ratio"]) for c in certificates], 1, 2),
+            median([float(c["upper_arm_error_mean"]) for c in certificates], DEGREE), f"{DEGREE * best['palm_error']:.1f}",
+            f"{DEGREE * configured['upper_arm_error_median']:.1f}", len(verified["violations"]), "; ".join(checks))
 
 
 def main():

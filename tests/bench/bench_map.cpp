@@ -67,7 +67,7 @@ struct Solver {
   solve::Minimum solve(const humanlike::FrameGoal& at, const JointVector& start) {
     goal = &at;
     scratch.new_descent();
-    if (options.algorithm == "structured") {
+    if (options.algorithm == "trust_region") {
       return solve::minimise_trust_region(problem, start, options, structured);
     }
     return solve::minimise(problem, start, options);
@@ -209,13 +209,13 @@ void run(const BenchProblem& bench) {
       "  {:<22} {:>8} {:>8} {:>6} {:>6} | {:>17} {:>17} | mean F, excess 50 %, 90 %, frames > "
       "1e-3\n",
       "", "us 50 %", "us 99 %", "ratio", "evals", "mm 50 %, 99 %", "deg 50 %, 99 %");
-  Solver structured(bench, "structured");
+  Solver structured(bench, "trust_region");
   std::vector<JointVector> first;
   for (std::size_t m = 0; m < bench.movements.size(); ++m) {
     first.push_back(structured.solve(bench.movements[m][0], bench.begin[m]).x);
   }
   std::vector<Row> rows;
-  for (const char* algorithm : {"structured", "tnewton", "slsqp"}) {
+  for (const char* algorithm : {"trust_region", "tnewton", "slsqp"}) {
     Solver solver(bench, algorithm);
     for (const bool extrapolate : {false, true}) {
       rows.push_back(follow(solver, first, extrapolate));

@@ -53,7 +53,7 @@ humanlike::FrameGoal goal_at(const RobotModel& robot, JointVector q, bool orient
     goal.tip_orientation.push_back(orientations ? turn * Quat(tip.linear()) : unknown_rotation());
   }
   const Vec3 shoulder = origin(robot.shoulder_frame);
-  for (const auto& centre : robot.centres) {
+  for (const auto& centre : robot.joint_centres) {
     if (centre.chain == "arm") {
       goal.elbow =
           shoulder + 0.323 * (origin(centre.frame) - shoulder).normalized() + noise.vector(0.76e-3);
@@ -61,7 +61,7 @@ humanlike::FrameGoal goal_at(const RobotModel& robot, JointVector q, bool orient
     }
   }
   goal.finger_joint.fill(unknown_point());
-  for (const auto& centre : robot.centres) {
+  for (const auto& centre : robot.joint_centres) {
     for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       if (centre.chain == kFingerNames[finger]) {
         goal.finger_joint[finger] = sensed(origin(centre.frame)) + turn * Vec3(0.01, 0, 0.005);

@@ -48,17 +48,18 @@ def dataset_of(name, program, folder, count):
 def row_of(name, runs):
     """Medians of what `run --json` says."""
     first = runs[0]
-    middle = {step: statistics.median(one["movement_ms"].get(step, 0) for one in runs)
-              for step in sorted(set().union(*(one["movement_ms"] for one in runs)))}
-    mapped = first["stage_seconds"]["map"] * 1e3 / first["movement_ms"]["map"]
+    middle = {step: statistics.median(one["stage_ms_per_movement"].get(step, 0) for one in runs)
+              for step in sorted(set().union(*(one["stage_ms_per_movement"] for one in runs)))}
+    mapped = first["stage_cpu_s"]["map"] * 1e3 / first["stage_ms_per_movement"]["map"]
     return {"case": name, "n": first["frames"], "movements": round(mapped),
-            "frames_per_second": statistics.median(one["frames_per_second"] for one in runs), "movement_ms": middle}
+            "frames_per_cpu_second": statistics.median(one["frames_per_cpu_second"] for one in runs),
+            "stage_ms_per_movement": middle}
 
 
 def print_row(row, which):
-    steps = row["movement_ms"]
+    steps = row["stage_ms_per_movement"]
     others = sum(ms for step, ms in steps.items() if step not in STEPS)
-    print(f"{row['case']:<10}{which:<8}{row['movements']:>10}{row['n']:>8}{row['frames_per_second']:>10.0f}"
+    print(f"{row['case']:<10}{which:<8}{row['movements']:>10}{row['n']:>8}{row['frames_per_cpu_second']:>10.0f}"
           f"{sum(steps.values()):>8.0f}" + "".join(f"{steps.get(step, 0):>12.1f}" for step in STEPS) +
           f"{others:>8.1f}", flush=True)
 

@@ -14,11 +14,11 @@
 #include <thread>
 #include <vector>
 
-#include "core/moveit/problem.hpp"
 #include "core/robot/files/description.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/path_smoothing.hpp"
 #include "stages/repair/repair_options.hpp"
+#include "tests/support/moveit_problem.hpp"
 
 namespace morphe {
 namespace {
@@ -35,7 +35,7 @@ struct Options {
   fs::path problems = fs::path(MORPHE_SOURCE_DIR) / "datasets/motionbenchmaker";
   fs::path robot;  ///< panda.yaml of the same folder if empty
   int iterations = 20000, shortcuts = repair::RepairOptions{}.shortcut_attempts;
-  double range = repair::RepairOptions{}.range, margin_m = Tolerances{}.margin;
+  double range = repair::RepairOptions{}.range, margin_m = Tolerances{}.required_clearance;
   unsigned threads = 1;
   std::string json;  ///< file of the figures, if any
 };
@@ -79,7 +79,7 @@ Answer solve(const Problem& problem, const robot::RobotDescription& robot, const
   const moveit::PlanningProblem asked =
       moveit::read_moveit_problem(problem.scene, problem.request, robot);
   Tolerances tolerances;
-  tolerances.margin = options.margin_m;
+  tolerances.required_clearance = options.margin_m;
   const robot::Robot of(asked.robot);
   const collision::CollisionWorld world = collision::make_world(of, asked.scene, {}, tolerances);
   const repair::IntervalWorld interval =

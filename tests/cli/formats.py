@@ -14,18 +14,18 @@ ROBOT = {
     "frames/offset": ("J", "rad", None),
     "tips/name": ("m", "", None), "tips/frame": ("m", "1", None),
     "tips/transform": ("m44", "m", "joint"), "tips/finger": ("m", "1", None),
-    "centres/frame": ("k", "1", None), "centres/chain": ("k", "", None),
+    "joint_centres/frame": ("k", "1", None), "joint_centres/chain": ("k", "", None),
     "capsules/name": ("c", "", None), "capsules/frame": ("c", "1", None),
     "capsules/from": ("c3", "m", "joint"), "capsules/to": ("c3", "m", "joint"),
     "capsules/radius": ("c", "m", None), "capsules/may_touch_target": ("c", "1", None),
-    "allowed_pairs": ("a2", "1", None),
+    "allowed_collision_pairs": ("a2", "1", None),
 }
 
-PLAN_ATTRIBUTES = ("status reason detail subject task hand start_s end_s target margin contact_depth "
-                   "tracking_grasp tracking").split()
-CERTIFICATE = ("position_margin velocity_ratio acceleration_ratio jerk_ratio clearance "
-               "position_error_max position_error_mean position_error_grasp orientation_error_max "
-               "upper_arm_error_mean upper_arm_error_max tempo humanlikeness_mapped "
+PLAN_ATTRIBUTES = ("status reason detail subject task hand begin_s end_s target required_clearance max_penetration "
+                   "tracking_tolerance_grasp tracking_tolerance").split()
+CERTIFICATE = ("joint_limit_margin velocity_ratio acceleration_ratio jerk_ratio clearance "
+               "tip_error_max tip_error_mean tip_error_grasp tip_orientation_error_max "
+               "upper_arm_error_mean upper_arm_error_max duration_ratio humanlikeness_mapped "
                "humanlikeness_final sparc_robot sparc_human log_dimensionless_jerk_robot "
                "log_dimensionless_jerk_human repaired").split()
 PLAN = {
@@ -37,12 +37,12 @@ PLAN = {
     "goals/finger_joint_position": ("F53", "m", "base"), "goals/estimated": ("E", "", None),
     "phases/name": ("P", "", None), "phases/begin_s": ("P", "s", None),
     "phases/end_s": ("P", "s", None), "phases/confidence": ("P", "1", None),
-    "mapped/position": ("Fn", "rad", None), "mapped/position_error": ("Fm", "m", None),
-    "mapped/orientation_error": ("Fm", "rad", None), "mapped/objective": ("F", "1", None),
+    "mapped/position": ("Fn", "rad", None), "mapped/tip_error": ("Fm", "m", None),
+    "mapped/tip_orientation_error": ("Fm", "rad", None), "mapped/objective": ("F", "1", None),
     "mapped/humanlikeness": ("F3", "m^2,m^2,m^3", None), "mapped/status": ("F", "1", None),
     "findings/begin_s": ("D", "s", None), "findings/end_s": ("D", "s", None),
-    "findings/cause": ("D", "", None), "findings/first": ("D", "", None),
-    "findings/second": ("D", "", None), "findings/depth": ("D", "m or rad", None),
+    "findings/cause": ("D", "", None), "findings/subject": ("D", "", None),
+    "findings/other_body": ("D", "", None), "findings/excess": ("D", "m or rad", None),
     "path/position": ("Wn", "rad", None), "path/origin": ("W", "1", None),
     "path/demonstration_time": ("W", "s", None),
 }
@@ -52,8 +52,8 @@ TRAJECTORY = {
     "phase": ("T", "1", None), "origin": ("T", "1", None), "clearance": ("T", "m", None),
 }
 GRASP = {
-    "object_pose": ("44", "m", "base"), "wrist_pose_in_object": ("44", "m", "object"),
-    "tips_in_object": ("m3", "m", "object"), "hand_posture": ("n", "rad", None),
+    "object_pose": ("44", "m", "base"), "palm_pose_in_object": ("44", "m", "object"),
+    "tips_in_object": ("m3", "m", "object"), "grasp_posture": ("n", "rad", None),
     "pregrasp_posture": ("n", "rad", None),
 }
 OBJECT = {"time": ("K", "s", None), "position": ("K3", "m", "base"),
@@ -67,7 +67,7 @@ MARKERS = {"markers/time": ("N", "s", None), "markers/position": ("NM3", "m", "w
 MEANINGS = {
     "mapped/status": "0=met,1=compromise,2=out_of_reach,3=no_goal",
     "trajectory/phase": "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return",
-    "trajectory/origin": "0=mapped,1=re-solved,2=planned",
+    "trajectory/origin": "0=mapped,1=re_solved,2=planned",
 }
 
 

@@ -57,8 +57,8 @@ def write_recordings(demonstrations, folder):
         write_glove(folder / f"{name}_glove.csv", one["hand"])
         write_pose(folder / f"{name}_pose.csv", one["calibration"])
         write_glove(folder / f"{name}_glove_pose.csv", one["calibration/hand"])
-        lines.append(f"  - {{file: {name}.csv, glove: {name}_glove.csv, static: {name}_pose.csv, "
-                     f"static_glove: {name}_glove_pose.csv, "
+        lines.append(f"  - {{file: {name}.csv, glove: {name}_glove.csv, static_trial: {name}_pose.csv, "
+                     f"glove_static_trial: {name}_glove_pose.csv, "
                      f"hand_length: {one.attrs['hand_length']:.17g}, "
                      f"hand_breadth: {one.attrs['hand_breadth']:.17g}}}")
     manifest = folder / "recordings.yaml"

@@ -18,10 +18,10 @@ placement:
     - {{axis: z, angle: 90 deg}}
   shoulder_offset: [0.10, -0.30, 0.30]
 reconstruct: {{rate_hz: 50}}
-map: {{key_frames: 1, starts: 1, candidates: 1, reachable_starts: 1, coarse_step_s: 0.2}}
+map: {{key_frames: 1, starts: 1, candidates: 1, reach_search_starts: 1, coarse_step_s: 0.2}}
 """
 SYNTHETIC = """\
-movements: {per_recording: [1, 2]}
+movements: {movements_per_recording: [1, 2]}
 sensors: {rate_hz: 60, calibration_s: 0.5}
 glove: {rate_hz: 30}
 """

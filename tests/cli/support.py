@@ -27,8 +27,8 @@ TWO_RECORDINGS = """\
 format: vicon-csv
 hand: right
 recordings:
-  - {file: recorded/ADL001DR2.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
-  - {file: recorded/ADL001AR1.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+  - {file: recorded/ADL001DR2.csv, static_trial: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+  - {file: recorded/ADL001AR1.csv, static_trial: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
 """
 ONE_RECORDING = TWO_RECORDINGS.rpartition("  - ")[0]
 

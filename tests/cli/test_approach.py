@@ -7,7 +7,7 @@ from support import (ONE_RECORDING, QUICK, SOURCE, CommandCase, main, morphe, py
                      write_recordings)
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
-SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reachable_starts=4")
+SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reach_search_starts=4")
 
 
 class Approach(CommandCase):
@@ -35,7 +35,7 @@ class Approach(CommandCase):
 
     def test_a_finger_that_leaves_its_limit_at_home(self):
         # Smoothed, the approach began 3e-6 rad beside the open hand.
-        plans = self.run_it(SOURCE / "configs/pipelines/rm75_inspire.yaml", ("--set", "approach.back=true"))
+        plans = self.run_it(SOURCE / "configs/pipelines/rm75_inspire.yaml", ("--set", "approach.retreat=true"))
         self.assertEqual(self.json_of("verify", plans)["violations"], [])
         with h5py.File(plans) as file:
             home = np.clip(0, file["robot/lower"], file["robot/upper"])

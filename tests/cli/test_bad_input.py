@@ -14,7 +14,7 @@ seed: 1
 scene:
   file: scenes/bowl.yaml
 map:
-  natural:
+  natural_posture:
     - {joint: middle_abduction}
     - {joint: ring_abduction}
 """
@@ -51,7 +51,7 @@ class RunCase(CommandCase):
     def run_refuses(self, beginning, *mentioned, arguments=()):
         """Into a folder that is not there, and into one that holds an older result."""
         new, old = self.folder / "results/new", self.folder / "old"
-        old.mkdir()
+        old.mkdir(exist_ok=True)
         for name in ("plans.h5", "demonstrations.h5"):
             (old / name).write_text("an older result")
         for out in (new, old):
@@ -89,11 +89,11 @@ class Configs(RunCase):
 
     def test_unknown_key_deep_inside(self):
         replace(self.config, "{joint: ring_abduction}", "{joint: ring_abduction, valu: 1}")
-        self.run_refuses(self.at("valu"), "map.natural[1].valu: unknown key")
+        self.run_refuses(self.at("valu"), "map.natural_posture[1].valu: unknown key")
 
     def test_key_that_stands_twice(self):
         self.config.write_text(CONFIG + "seed: 2\n")
-        self.run_refuses(self.at("seed: 2"), "seed: the key stands twice")
+        self.run_refuses(self.at("seed: 2"), "seed: the key appears twice")
 
     def test_bad_yaml(self):
         replace(self.config, "seed: 1", "seed: [1, 2")
@@ -106,8 +106,8 @@ class Configs(RunCase):
         self.run_refuses(self.at("seed"), "seed: ", "'first'")
 
     def test_no_number(self):
-        replace(self.config, "seed: 1", "seed: 1\ncheck: {margin: .nan}")
-        self.run_refuses(self.at("margin"), "check.margin: must be a number")
+        replace(self.config, "seed: 1", "seed: 1\ncheck: {required_clearance: .nan}")
+        self.run_refuses(self.at("required_clearance"), "check.required_clearance: must be a number")
 
     def test_negative_weight(self):
         replace(self.config, "map:\n", "map:\n  tip_position: -1\n")
@@ -127,11 +127,11 @@ class Configs(RunCase):
 
     def test_unknown_natural_joint(self):
         replace(self.config, "joint: ring_abduction", "joint: sixth_abduction")
-        self.run_refuses(self.at("sixth"), "map.natural[1].joint: ", "'sixth_abduction'")
+        self.run_refuses(self.at("sixth"), "map.natural_posture[1].joint: ", "'sixth_abduction'")
 
     def test_unknown_joint_to_follow(self):
         replace(self.config, "ring_abduction}", "ring_abduction, follow: tail}")
-        self.run_refuses(self.at("tail"), "map.natural[1].follow: ", "'tail'")
+        self.run_refuses(self.at("tail"), "map.natural_posture[1].follow: ", "'tail'")
 
     def test_set_an_unknown_key(self):
         self.run_refuses("--set map.speed", "map.speed: unknown key",
@@ -190,7 +190,7 @@ class Scenes(RunCase):
 
     def test_mesh_without_a_file(self):
         replace(self.scene, "cylinder", "mesh")
-        self.run_refuses(self.at("name: bowl"), "objects[0]: file: a mesh needs one")
+        self.run_refuses(self.at("name: bowl"), "objects[0]: file: required for a mesh")
 
     def with_mesh(self):
         replace(self.scene, "cylinder", "mesh")
@@ -219,7 +219,7 @@ class Scenes(RunCase):
 
     def test_name_that_is_taken(self):
         replace(self.scene, "bowl", "cup")
-        self.run_refuses(f"{self.scene}:1", "'cup' is taken")
+        self.run_refuses(f"{self.scene}:1", "'cup' is already used")
 
 
 class Recordings(RunCase):
@@ -278,12 +278,14 @@ class Recordings(RunCase):
         self.run_refuses(f"{imported}:/demonstrations/forward/markers/time",
                          arguments=["--dataset", imported, "--json"])
 
-    def test_dataset_of_a_later_version(self):
+    def test_dataset_of_another_version(self):
         imported = self.folder / "imported.h5"
         self.succeeds("import", self.manifest, "--out", imported)
-        with h5py.File(imported, "r+") as file:
-            file.attrs["version"] = 99
-        self.run_refuses(f"{imported}:/", "99", arguments=["--dataset", imported, "--json"])
+        for version in (1, 99):
+            with h5py.File(imported, "r+") as file:
+                file.attrs["version"] = version
+            self.run_refuses(f"{imported}:/", f"@version is {version}; this program reads only version 2",
+                             arguments=["--dataset", imported, "--json"])
 
 
 class Places(RunCase):

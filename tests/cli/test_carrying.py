@@ -61,7 +61,7 @@ class Carrying(CommandCase):
             self.assertTrue([row for row in rows if row["subject"] == "forearm_right/cup"], rows)
 
     def test_rigidly_in_the_palm(self):
-        self.plan("--set", "scene.target.carried=palm", "--set", "repair.iterations=1",
+        self.plan("--set", "scene.target.carried_by=palm", "--set", "repair.max_iterations=1",
                   "--set", "repair.attempts=1")
         self.assertEqual(self.violations(), ([], []))
         with h5py.File(self.plans) as file:

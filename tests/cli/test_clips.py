@@ -75,7 +75,7 @@ class Clips(CommandCase):
             (group,) = h5["demonstrations"].values()
             names = [name.decode() for name in group["skeleton"].attrs["names"]]
             points = dict(zip(names, np.moveaxis(group["skeleton/position"][()], 1, 0)))
-            return points, [report.decode() for report in group["reports"][()]], read
+            return points, [report.decode() for report in group["import_notes"][()]], read
 
     def same_tips(self, points, hand):
         for finger, tip in enumerate(TIPS):
@@ -118,7 +118,7 @@ class Clips(CommandCase):
                 with self.subTest(order=order, name=name):
                     points, reports, read = self.read(self.write(name, **self.arrays_of(hand, order)))
                     self.same_tips(points, hand)
-                    self.assertIn(f"mano_right_joints: the order {order},", " ".join(reports))
+                    self.assertIn(f"mano_right_joints: joint order {order},", " ".join(reports))
             self.same_phases(name, read)
 
     def test_names_decide_whatever_the_order(self):
@@ -139,7 +139,7 @@ class Clips(CommandCase):
     def test_an_order_that_nothing_tells_is_asked_for(self):
         hand = self.hands["door_demo_06"]
         arrays = self.arrays_of(hand)
-        said = "mano_right_joints: 21 joints, which are a hand in no order of as many"
+        said = "mano_right_joints: the 21 joints do not look like a hand in any known order"
         arrays["mano_right_joints"] = hand.joints[:, np.random.default_rng(2).permutation(21)]
         file = self.write(**arrays)
         self.refuses(morphe("import", file, "--out", self.folder / "no.h5"), f"{file}", said)
@@ -172,7 +172,7 @@ class Clips(CommandCase):
         missed = np.linalg.norm(points["right_index_tip"] - hand.tips[:, 1], axis=-1)
         self.assertEqual(list(np.flatnonzero(np.isnan(missed))), [5, 6, 7, 8])
         self.assertLess(np.nanmax(missed), 1e-4)
-        self.assertIn(f"the right hand was seen in {len(missed) - 4} of {len(missed)} frames", reports)
+        self.assertIn(f"the right hand is visible in {len(missed) - 4} of {len(missed)} frames", reports)
         with h5py.File(read) as h5:
             np.testing.assert_allclose(h5["demonstrations/clip/objects/handle/position"][()],
                                        hand.handle, atol=1e-9)
@@ -193,7 +193,7 @@ class Clips(CommandCase):
         points, reports, read = self.read(file)
         self.same_tips(points, hand)
         self.assertEqual(sorted(points), sorted([*TIPS, "right_wrist"]))
-        self.assertIn("0.01 s a frame, as task_info.json says", reports)
+        self.assertIn("frame period 0.01 s, from task_info.json", reports)
         with h5py.File(read) as h5:
             (group,) = h5["demonstrations"].values()
             self.assertEqual(list(group["objects"]), ["right_object"])
@@ -208,15 +208,15 @@ class Clips(CommandCase):
         feet = {key: value / 0.3048 if key.startswith("mano") else value for key, value in good.items()}
         no_rate = {key: value for key, value in good.items() if key != "times"}
         for arrays, key, *words in (
-                ({**good, "times": backwards}, "times", "number 7 does not follow"),
-                ({**good, "object_handle_pose": 2 * pose_of(hand)}, "object_handle_pose", "no rotation"),
+                ({**good, "times": backwards}, "times", "value 7 must be greater"),
+                ({**good, "object_handle_pose": 2 * pose_of(hand)}, "object_handle_pose", "not a rotation"),
                 ({**good, "object_handle_shape": "ring"}, "object_handle_shape", "ring"),
                 ({**good, "object_handle_size": [1.0, 2.0]}, "object_handle_size", "(2,)", "(1,)"),
                 ({**good, "mano_right_wrist_pos": hand.wrist[1:]}, "mano_right_wrist_pos", "shape"),
                 ({**good, "joint_order": "opnpose"}, "joint_order", "opnpose", "openpose"),
                 ({**good, "note": np.array([{}])}, "note", "Python objects"),
-                (mirrored, "right hand", "curl as those of a left hand"),
-                ({"fps": 30}, "is no clip", "mano_right_joints", "fps")):
+                (mirrored, "right hand", "curl like those of a left hand"),
+                ({"fps": 30}, "is not a clip", "mano_right_joints", "fps")):
             with self.subTest(key):
                 file = self.write(**arrays)
                 self.refuses(morphe("import", file, "--out", self.folder / "no.h5"), f"{file}: {key}",
@@ -292,7 +292,7 @@ class Beside(CommandCase):
         out = self.folder / "hand.h5"
         self.succeeds("import", *arguments, "--out", out)
         with h5py.File(out) as h5:
-            return {name: (group.attrs["hand"].decode(), [r.decode() for r in group["reports"][()]])
+            return {name: (group.attrs["hand"].decode(), [r.decode() for r in group["import_notes"][()]])
                     for name, group in h5["demonstrations"].items()}
 
     def test_other_arrays_are_passed_over(self):
@@ -307,7 +307,7 @@ class Beside(CommandCase):
         self.assertEqual(result.returncode, 1, result.stderr)
         said = result.stdout + result.stderr
         for name in ("forces", "model"):
-            self.assertIn(f"left out: {self.data / name}.npz: not a recording: an .npz with no key of a "
+            self.assertIn(f"skipped: {self.data / name}.npz: not a recording: a .npz file without a key of a "
                           "clip, such as mano_right_joints", said)
         for name in ("damaged", "half"):
             self.assertIn(f"cannot be read: {self.data / name}.npz: ", said)
@@ -315,11 +315,11 @@ class Beside(CommandCase):
             self.assertEqual(list(h5["demonstrations"]), ["clip"])
         for name in ("forces", "model"):
             self.refuses(morphe("inspect", self.data / f"{name}.npz"), self.data / f"{name}.npz",
-                         "is no clip", "mano_right_joints", "body_joints", "qpos_wrist_left")
+                         "is not a clip", "mano_right_joints", "body_joints", "qpos_wrist_left")
 
     def test_the_clip_says_which_hand(self):
         self.clip(hand="left")
-        said = "the clip says that the left hand reaches; the right one is taken"
+        said = "the clip states that the left hand reaches; the right one was requested and used"
         for manifest, options, hand, contradicts in (
                 (("file: clip.npz",), (), "left", False),
                 (("file: clip.npz", "hand: left"), (), "left", False),
@@ -400,7 +400,7 @@ class Written(CommandCase):
             for key in ("time", "position", "orientation"):
                 np.testing.assert_allclose(b["objects"][name][key], a["objects"][name][key], atol=1e-9)
         if "rebuilt" in clip:
-            self.assertEqual(b["skeleton"].attrs["rebuilt"], 1)
+            self.assertEqual(b["skeleton"].attrs["reconstructed"], 1)
             np.testing.assert_array_equal(b["skeleton/time"], clip["times"])
         elif "in_hand" in clip:
             np.testing.assert_allclose(b["hand/position"], a["hand/position"], atol=1e-9)
@@ -413,7 +413,7 @@ class Written(CommandCase):
 
     def test_a_left_hand_stays_one(self):
         clips = self.folder / "clips"
-        self.succeeds("import", RECORDINGS / "ADL001DR2.csv", "--static",
+        self.succeeds("import", RECORDINGS / "ADL001DR2.csv", "--static-trial",
                       RECORDINGS / "ADL001_static.csv", "--hand", "left", "--clip", clips)
         clip = np.load(clips / "ADL001DR2.npz")
         self.assertEqual(str(clip["hand"]), "left")
@@ -423,7 +423,7 @@ class Written(CommandCase):
 
     def test_a_clip_is_planned_as_the_recording_is(self):
         clips, plans = self.folder / "clips", {}
-        recording = (RECORDINGS / "ADL001FR1.csv", "--static", RECORDINGS / "ADL001_static.csv")
+        recording = (RECORDINGS / "ADL001FR1.csv", "--static-trial", RECORDINGS / "ADL001_static.csv")
         self.succeeds("import", *recording, "--clip", clips)
         for what, dataset in (("markers", recording), ("clip", [clips / "ADL001FR1.npz"])):
             self.succeeds("run", REFERENCE, *QUICK, "--dataset", *dataset, "--quiet", "--out",
@@ -440,15 +440,14 @@ class Written(CommandCase):
         written = self.json_of("inspect", ADROIT)["demonstrations"][0]
         (read,) = self.json_of("inspect", clips / f"{written['name']}.npz")["demonstrations"]
         self.assertEqual(read["estimated"], ["shoulder", "elbow"])
-        self.assertIn("estimated, not recorded, when the motion was rebuilt: shoulder, elbow; "
-                      "humanlikeness of the arm compares with an estimate", read["problems"])
+        self.assertIn("estimated during reconstruction, not recorded: shoulder, elbow; humanlikeness of the arm is relative to an estimate", read["problems"])
         (said,) = [s for s in written["problems"] if s.startswith("the shoulder was not recorded")]
         self.assertIn(said, read["reports"])
         self.succeeds("run", REFERENCE, *QUICK, "--dataset", clips / f"{written['name']}.npz",
                       "--quiet", "--out", self.folder / "plans")
         with h5py.File(self.folder / "plans/plans.h5") as h5:
             (plan,) = h5[f"plans/{written['name']}"].values()
-            self.assertIn("when the motion was rebuilt: shoulder, elbow", str(plan.attrs["detail"]))
+            self.assertIn("estimated during reconstruction, not recorded: shoulder, elbow", str(plan.attrs["detail"]))
 
     def test_neither_file_nor_folder_is_refused(self):
         result = morphe("import", RECORDINGS / "ADL001FR1.csv")

@@ -10,7 +10,7 @@ import numpy as np
 from support import QUICK, SOURCE, CommandCase, main, morphe, sha256, shared_run
 
 FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
-SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reachable_starts=4")
+SMALL = (*QUICK, "--set", "map.key_frames=2", "--set", "map.reach_search_starts=4")
 NAME, PLAN = "ADL001DR2_000", "plans/ADL001DR2/000"
 ORDERS = ("position", "velocity", "acceleration")
 LIMITS = ("velocity", "acceleration", "jerk")
@@ -176,7 +176,7 @@ class Controllers(CommandCase):
             values = sum((group[name] for group in index["groups"].values()), [])
             np.testing.assert_array_equal(values, file["robot"][name][()])
         (plan,) = index["plans"]
-        self.assertEqual((plan["plan"], plan["status"], index["left_out"]), ("ADL001DR2/000", "executable", []))
+        self.assertEqual((plan["plan"], plan["status"], index["skipped"]), ("ADL001DR2/000", "executable", []))
         self.assertEqual([motion["motion"] for motion in plan["motions"]], ["approach", "trajectory", "retreat"])
         listed = {"index_csv.json"}
         for motion in plan["motions"]:
@@ -217,14 +217,14 @@ class Controllers(CommandCase):
         with h5py.File(other, "r+") as file:
             file[PLAN]["trajectory/velocity"][3, 0] += 1e-9
         result = morphe("export", other, "--format", "csv", "--out", first)
-        self.refuses(result, first / f"{NAME}.csv", "is there already", "--replace")
+        self.refuses(result, first / f"{NAME}.csv", "already exists", "--replace")
         self.assertEqual({file.name: sha256(file) for file in first.iterdir()}, before)
         self.succeeds("export", other, "--format", "csv", "--out", first, "--replace")
         self.assertNotEqual(sha256(first / f"{NAME}.csv"), before[f"{NAME}.csv"])
 
     def test_motions_that_do_not_meet_are_left_out(self):
-        for dataset, said in (("position", "does not end where the trajectory begins: the position of S1 steps"),
-                              ("velocity", "does not end where the trajectory begins: the velocity of S1 steps")):
+        for dataset, said in (("position", "does not end where the trajectory begins: the position of S1 jumps"),
+                              ("velocity", "does not end where the trajectory begins: the velocity of S1 jumps")):
             broken = self.folder / f"{dataset}.h5"
             shutil.copy(PLANS, broken)
             with h5py.File(broken, "r+") as file:
@@ -237,7 +237,7 @@ class Controllers(CommandCase):
         with h5py.File(moving, "r+") as file:
             file[PLAN]["trajectory/velocity"][0, 0] = 0.1
         self.exported("--delay", 1, "--approach", "none", plans=moving)
-        self.assertIn("does not begin at rest: the velocity of S1 steps by 0.1", self.printed)
+        self.assertIn("does not begin at rest: the velocity of S1 jumps by 0.1", self.printed)
 
     def test_what_is_wrong_names_what_to_do(self):
         plain = self.folder / "plain.h5"
@@ -248,7 +248,7 @@ class Controllers(CommandCase):
         for plans, options, words in (
                 (PLANS, (*csv_of, "--group", "leg"), ("--group leg: must be all, arm, hand", "FIRST..LAST")),
                 (PLANS, (*csv_of, "--group", "a=S1..S9"), ("no joint 'S9'", "S1, S2")),
-                (PLANS, (*csv_of, "--group", "a=S2..S1"), ("change places",)),
+                (PLANS, (*csv_of, "--group", "a=S2..S1"), ("swap them",)),
                 (PLANS, (*csv_of, "--group", "a=S1"), ("FIRST..LAST",)),
                 (PLANS, (*csv_of, "--group", "../a=S1..S2"), ("'/'",)),
                 (PLANS, (*csv_of, "--group", "arm", "--group", "arm"), ("already",)),
@@ -256,9 +256,9 @@ class Controllers(CommandCase):
                 (PLANS, (*csv_of, "--rate", "nan"), ("--rate",)),
                 (PLANS, (*csv_of, "--delay", "-1"), ("--delay",)),
                 (PLANS, (*csv_of, "--approach", "glued"), ("apart", "joined", "none")),
-                (plain, (*csv_of, "--approach", "joined"), ("section `approach`", "leave --approach out")),
-                (PLANS, ("--format", "robomimic", "--group", "arm"), ("leave --group out",)),
-                (PLANS, ("--format", "robomimic", "--delay", "1"), ("leave --delay out",))):
+                (plain, (*csv_of, "--approach", "joined"), ("section `approach`", "omit --approach")),
+                (PLANS, ("--format", "robomimic", "--group", "arm"), ("omit --group",)),
+                (PLANS, ("--format", "robomimic", "--delay", "1"), ("omit --delay",))):
             out = self.folder / "new/out"
             result = morphe("export", plans, *options, "--out", out)
             self.assertEqual(result.returncode, 2, (options, result.stdout, result.stderr))
@@ -274,7 +274,7 @@ class Controllers(CommandCase):
             file["robot/frames/joint"][0] = -1
         result = morphe("export", hand, "--format", "csv", "--group", "arm", "--out", self.folder / "out")
         self.assertEqual(result.returncode, 2, result.stdout)
-        self.assertIn("has no joints of an arm: leave --group out", result.stderr)
+        self.assertIn("has no joints of an arm: omit --group", result.stderr)
 
     def test_robomimic_at_a_rate(self):
         self.succeeds("export", PLANS, "--format", "robomimic", "--rate", 20, "--out", self.folder / "set")

@@ -39,8 +39,8 @@ class Diff(FewCase):
         """{(plan, dataset): (max_abs, change)}"""
         result = self.diff("--json")
         report = json.loads(result.stdout)
-        self.assertEqual((result.returncode, report["equal"]), (1, False) if report["plans"] else (0, True))
-        return {(row["plan"], row["dataset"]): (row["max_abs"], row["change"]) for row in report["plans"]}
+        self.assertEqual((result.returncode, report["equal"]), (1, False) if report["differences"] else (0, True))
+        return {(row["plan"], row["dataset"]): (row["max_abs"], row["change"]) for row in report["differences"]}
 
     def edit(self, change):
         with h5py.File(self.other, "r+") as file:
@@ -61,11 +61,11 @@ class Diff(FewCase):
             shutil.copy(self.other, several / robot / "plans.h5")
         refused = morphe("verify", several)
         self.assertEqual(refused.returncode, 2)
-        self.assertIn(f"name one of {several}/a/plans.h5, {several}/b/plans.h5", refused.stderr)
+        self.assertIn(f"give one of {several}/a/plans.h5, {several}/b/plans.h5", refused.stderr)
         empty = self.folder / "empty"
         empty.mkdir()
         refused = morphe("diff", empty, self.plain)
-        self.assertEqual((refused.returncode, "holds no plans.h5" in refused.stderr), (2, True))
+        self.assertEqual((refused.returncode, "contains no plans.h5" in refused.stderr), (2, True))
 
     def test_one_number(self):
         def change(file):
@@ -81,7 +81,7 @@ class Diff(FewCase):
             time = file["plans/synthetic_000002/000/trajectory/time"][3]
             value = file["plans/synthetic_000002/000/trajectory/position"][3, 2]
             joint = file["robot/joint_names"].asstr()[2]
-        self.assertIn(f"synthetic_000002/000 trajectory/position: at most 0.25 rad ({value:.6g} -> "
+        self.assertIn(f"synthetic_000002/000 trajectory/position: max change 0.25 rad ({value:.6g} -> "
                       f"{value + 0.25:.6g}) at sample 3 ({time:.2f} s), {joint}\n", text.stdout)
         self.assertRegex(text.stdout, r"\n\d+ plans in both, 1 of them differs\n")
         self.assertNotIn("trajectory/position", self.diff().stdout)
@@ -93,12 +93,12 @@ class Diff(FewCase):
             plan["certificate"].attrs["clearance"] = plan["certificate"].attrs["clearance"] - 0.002
         self.edit(change)
         text = self.diff("--all").stdout
-        self.assertRegex(text, r"goals/tip_position: at most 12\.5 mm \(.* -> .*\) at frame 7 \(.* s\), \w+, y\n")
+        self.assertRegex(text, r"goals/tip_position: max change 12\.5 mm \(.* -> .*\) at frame 7 \(.* s\), \w+, y\n")
         self.assertRegex(text, r"\nclearance +mm +(\S+ +){3}-2\.0 +synthetic_000001/000 ")
         report = json.loads(self.diff("--json").stdout)
         clearance = report["figures"]["clearance"]
         self.assertEqual(clearance["plan"], "synthetic_000001/000")
-        self.assertAlmostEqual(clearance["largest"], -0.002, 12)
+        self.assertAlmostEqual(clearance["max_change"], -0.002, 12)
         row, = [row for row in report["rows"] if row["plan"] == "synthetic_000001/000"]
         self.assertAlmostEqual(row["second"]["clearance"] - row["first"]["clearance"], -0.002, 12)
 
@@ -120,7 +120,7 @@ class Diff(FewCase):
                  for name in ("synthetic_000001/000", "synthetic_000002/000")}
         self.assertEqual(marks, {"synthetic_000001/000": ["~+100.0", "~+5.7"], "synthetic_000002/000": []})
         rows = {row["plan"]: row for row in json.loads(self.diff("--json").stdout)["rows"]}
-        self.assertEqual([[rows[name][side]["against_estimate"] for side in ("first", "second")]
+        self.assertEqual([[rows[name][side]["arm_estimated"] for side in ("first", "second")]
                           for name in marks], [[False, True], [False, False]])
         listed = morphe("list", self.other).stdout
         for name, count in (("synthetic_000001/000", 2), ("synthetic_000002/000", 0)):
@@ -138,17 +138,18 @@ class Diff(FewCase):
         self.assertIn("retime.mode human -> duration", text)
         self.assertIn(f"\n{len(executable)} plans no longer executable:\n", text)
         for name in executable:
-            self.assertRegex(text, rf"\n  {name}: (executable|repaired) -> infeasible \(duration\)\n    duration: ")
+            self.assertRegex(text, rf"\n  {name}: (executable|repaired) -> infeasible \(duration_too_short\)\n"
+                                   r"    duration_too_short: ")
         report = json.loads(self.diff("--json").stdout)
-        self.assertEqual([row["plan"] for row in report["status"]], executable)
-        self.assertEqual(report["status"][0]["second"]["reason"], "duration")
+        self.assertEqual([row["plan"] for row in report["status_changes"]], executable)
+        self.assertEqual(report["status_changes"][0]["second"]["reason"], "duration_too_short")
         self.assertEqual(report["figures"]["tempo"]["plans"], 0)
 
     def test_a_weight_moves_humanlikeness_the_right_way(self):
         self.run_json("--set", "map.humanlike_arm=100")
         shutil.copy(self.out / "plans.h5", self.other)
         report = json.loads(self.diff("--json").stdout)
-        self.assertEqual(report["config"], ["map.humanlike_arm 1 -> 100"])
+        self.assertEqual(report["config_changes"], ["map.humanlike_arm 1 -> 100"])
         a = report["figures"]["humanlikeness"]
         self.assertLess(a["median_second"], a["median_first"])
         with h5py.File(self.plain / "plans.h5") as one, h5py.File(self.other) as other:
@@ -163,18 +164,18 @@ class Diff(FewCase):
         rows = self.diff("--only", "synthetic_000002/*").stdout.split("\nB - A", 1)[1]
         self.assertIn("\nsynthetic_000002/000 ", rows)
         self.assertNotIn("synthetic_000001", rows)
-        self.refuses(self.diff("--sort", "speed"), "--sort", "'speed' is none of name, mapped,")
+        self.refuses(self.diff("--sort", "speed"), "--sort", "'speed' is not one of name, mapped_tip_error,")
 
     def test_the_last_bit_and_the_sign_of_zero(self):
         def change(file):
             value = file["plans/synthetic_000001/000/goals/time"][1]
             file["plans/synthetic_000001/000/goals/time"][1] = np.nextafter(value, np.inf)
-            file["plans/synthetic_000001/000"].attrs.modify("margin", -0.0)
+            file["plans/synthetic_000001/000"].attrs.modify("required_clearance", -0.0)
         with h5py.File(self.plain / "plans.h5") as file:
-            margin = file["plans/synthetic_000001/000"].attrs["margin"]
+            margin = file["plans/synthetic_000001/000"].attrs["required_clearance"]
         self.edit(change)
         found = self.found()
-        self.assertEqual(list(found), [("synthetic_000001/000", "@margin"),
+        self.assertEqual(list(found), [("synthetic_000001/000", "@required_clearance"),
                                        ("synthetic_000001/000", "goals/time")])
         self.assertEqual(found["synthetic_000001/000", "@margin"][0], margin)
         self.assertLess(found["synthetic_000001/000", "goals/time"][0], 1e-15)
@@ -193,7 +194,7 @@ class Diff(FewCase):
         self.edit(change)
         found = self.found()
         name = "synthetic_000000/000"
-        self.assertEqual(found[name, "trajectory/clearance"], (None, "2 values are NaN in one file alone"))
+        self.assertEqual(found[name, "trajectory/clearance"], (None, "2 values are NaN in only one of the files"))
         self.assertRegex(found[name, "path/demonstration_time"][1], r"^shape \[\d+\] -> \[\d+\]$")
         self.assertEqual(found[name, "@status"], (None, "'executable' -> 'infeasible'"))
         self.assertEqual(found[name, "@comment"], (None, "only in the second"))
@@ -235,9 +236,9 @@ class Table(FewCase):
         self.assertEqual(self.rows(printed), self.rows(listed))
         with h5py.File(self.out / "plans.h5") as file:
             plans = [f"{name}/{movement}" for name in file["plans"] for movement in file["plans"][name]]
-            column = listed.splitlines()[0].split().index("tempo") - len(listed.splitlines()[0].split())
+            column = listed.splitlines()[0].split().index("duration") - len(listed.splitlines()[0].split())
             for name, status, values in self.rows(listed):
-                tempo = file["plans"][name]["certificate"].attrs["tempo"]
+                tempo = file["plans"][name]["certificate"].attrs["duration_ratio"]
                 self.assertEqual(values.split()[column], "-" if np.isnan(tempo) else f"{tempo:.2f}")
         self.assertEqual([name for name, *_ in self.rows(listed)], plans)
 
@@ -256,7 +257,7 @@ class Table(FewCase):
                          [name for name, status, _ in listed if name < "synthetic_00001" and status != "infeasible"])
         ran = self.succeeds(*self.command(self.out, "--only", "synthetic_000003")).stdout
         self.assertEqual({name[:16] for name, *_ in self.rows(ran)}, {"synthetic_000003"})
-        self.refuses(morphe(*self.command(self.folder / "no", "--sort", "speed")), "--sort", "'speed' is none of")
+        self.refuses(morphe(*self.command(self.folder / "no", "--sort", "speed")), "--sort", "'speed' is not one of")
         self.assertFalse((self.folder / "no").exists())
 
     def test_long_names_keep_the_columns(self):
@@ -272,7 +273,7 @@ class Table(FewCase):
         for width in (80, 60, 40):
             narrow = self.in_a_terminal(width, "list", copy)
             self.assertLessEqual(max(len(line) for line in narrow.splitlines()), width)
-            self.assertIn("too narrow for:", narrow)
+            self.assertIn("hidden columns:", narrow)
 
     def in_a_terminal(self, width, *arguments):
         master, slave = pty.openpty()
@@ -312,7 +313,7 @@ class From(FewCase):
         (configs / "deep/config.yaml").write_text("extends: ../../elsewhere/base.yaml\nseed: 5\n")
         made = self.folder / "made"
         self.succeeds("run", configs / "deep/config.yaml", "--dataset", self.dataset, "--out", made,
-                      "--set", "retime.limit_share=0.7")
+                      "--set", "retime.limit_scaling=0.7")
         for folder in (configs, elsewhere, self.folder / "scenes"):
             shutil.rmtree(folder)
         self.succeeds("run", "--from", made / "plans.h5", "--dataset", self.dataset, "--out", self.out)
@@ -329,7 +330,7 @@ class From(FewCase):
                 made = self.folder / "made/plans.h5"
                 self.succeeds("run", config, "--dataset", self.dataset, "--out", made.parent, "--fresh")
                 again = morphe("run", "--from", made, "--dataset", self.dataset, "--out", self.out)
-                self.refuses(again, made, "holds no mesh files", "shelf.stl cannot be read")
+                self.refuses(again, made, "does not contain the mesh files", "shelf.stl cannot be read")
                 self.assertNotIn("morphe_from", again.stderr)
 
     def test_another_dataset_is_refused(self):

@@ -72,7 +72,7 @@ class Dataset(ManyCase):
         os.truncate(self.copy, os.stat(self.copy).st_size // 2)
         _, errors = process.communicate()
         self.assertEqual(process.returncode, 2, errors)
-        self.assertEqual(errors.splitlines()[-1], f"{self.copy}: was changed while it was read")
+        self.assertEqual(errors.splitlines()[-1], f"{self.copy}: was changed by another process while being read")
         self.refuses(morphe(*self.command(self.out, dataset=self.copy)), self.copy, "HDF5")
         shutil.copy(self.dataset, self.copy)
         self.assertGreater(self.run_json(dataset=self.copy)["reused"], 0)

@@ -21,10 +21,10 @@ def verdicts(file):
                 rows = plan["findings"] if "findings" in plan else {}
                 pairs = {}
                 if "cause" in rows:
-                    columns = (rows[k][()] for k in ("cause", "first", "second", "depth"))
+                    columns = (rows[k][()] for k in ("cause", "subject", "other_body", "excess"))
                     for cause, one, other, depth in zip(*columns):
                         key = (text(cause), text(one), text(other))
-                        if key[0] in ("self", "object", "table"):
+                        if key[0] in ("self_collision", "object_collision", "table"):
                             pairs[key] = max(depth, pairs.get(key, 0))
                 found[name, movement] = text(plan.attrs["reason"]), pairs
     return found
@@ -33,15 +33,15 @@ def verdicts(file):
 class Engines(CommandCase):
     def check(self, pipeline):
         both = []
-        for engine in ("closed", "fcl"):
+        for engine in ("analytic", "fcl"):
             out = self.folder / engine
             self.succeeds("run", SOURCE / "configs/pipelines" / pipeline, *QUICK, "--out", out, "--jobs", 2,
-                          "--set", f"check.engine={engine}", "--set", "repair.iterations=1")
+                          "--set", f"check.engine={engine}", "--set", "repair.max_iterations=1")
             both.append(verdicts(out / "plans.h5"))
-        closed, fcl = both
-        self.assertEqual(closed.keys(), fcl.keys())
+        analytic, fcl = both
+        self.assertEqual(analytic.keys(), fcl.keys())
         collisions = 0
-        for plan, (reason, pairs) in closed.items():
+        for plan, (reason, pairs) in analytic.items():
             sure = {pair for pair, depth in pairs.items() if depth > UNDECIDED}
             self.assertLessEqual(sure, fcl[plan][1].keys(), plan)
             self.assertLessEqual(fcl[plan][1].keys(), pairs.keys(), plan)

@@ -29,9 +29,9 @@ class Explain(support.CommandCase):
 
     def test_a_story_has_every_step(self):
         said = self.succeeds("explain", self.run_folder).stdout
-        for step in ("segmentation", "mapping", "found", "repair", "left", "time law", "certificate", "took", "try"):
+        for step in ("segmentation", "mapping", "problems", "repair", "remaining", "time law", "certificate", "took", "try"):
             self.assertIn(f"\n  {step} ", said)
-        self.assertIn("re-solve gently", said)
+        self.assertIn("re-solve, low clearance weights", said)
 
     def test_a_comparison_with_an_estimated_arm_is_marked(self):
         file = self.folder / "plans.h5"
@@ -53,11 +53,11 @@ class Explain(support.CommandCase):
             self.assertTrue(plans)
             for plan in plans:
                 names = list(plan["repair/name"].asstr())
-                self.assertEqual(names[0], "re-solve gently")
+                self.assertEqual(names[0], "re-solve, low clearance weights")
                 self.assertEqual(plan["repair/level"][0], 0)
                 self.assertTrue(set(plan["repair/level"]) <= {0, 1})
-                last = plan["repair/findings"][()][plan["repair/kept"][()] == 1]
-                left = len(plan["remaining/cause"]) if "remaining" in plan else 0
+                last = plan["repair/finding_count"][()][plan["repair/accepted"][()] == 1]
+                left = len(plan["remaining_findings/cause"]) if "remaining_findings" in plan else 0
                 if len(last):
                     self.assertEqual(last[-1], left)
 
@@ -68,22 +68,23 @@ class Explain(support.CommandCase):
             self.assertEqual(plan["status"], "infeasible")
             self.assertGreaterEqual(len(plan["advice"]), 1)
             for advice in plan["advice"]:
-                self.assertIn(advice["effect"], ("solves", "accepts", "assumes", "changes"))
-                self.assertEqual(advice["effect"] == "changes", advice["settings"] == [])
-                self.assertNotIn("tried", advice)
+                self.assertIn(advice["kind"], ("may_solve", "relaxes_tolerance", "changes_assumption",
+                                               "changes_input"))
+                self.assertEqual(advice["kind"] == "changes_input", advice["settings"] == [])
+                self.assertNotIn("trial", advice)
 
     def test_what_is_tried_is_what_a_run_gives(self):
         told = self.json_of("explain", self.run_folder, "--try")["plans"]
-        tried = [(plan["plan"], advice) for plan in told for advice in plan["advice"] if "tried" in advice]
+        tried = [(plan["plan"], advice) for plan in told for advice in plan["advice"] if "trial" in advice]
         self.assertTrue(tried)
         name, advice = next(((name, advice) for name, advice in tried
-                             if advice["tried"]["status"] == "executable"), tried[0])
+                             if advice["trial"]["status"] == "executable"), tried[0])
         again = self.folder / "again"
         settings = [word for one in advice["settings"] for word in ("--set", one)]
         self.succeeds("run", support.REFERENCE, "--dataset", self.run_folder / "demonstrations.h5",
                       "--out", again, *support.QUICK, *AWAY, *settings)
         with h5py.File(again / "plans.h5") as file:
-            self.assertEqual(file["plans"][name].attrs["status"].decode(), advice["tried"]["status"])
+            self.assertEqual(file["plans"][name].attrs["status"].decode(), advice["trial"]["status"])
 
     def test_one_plan_by_its_name(self):
         with h5py.File(self.run_folder / "plans.h5") as file:
@@ -97,7 +98,7 @@ class Explain(support.CommandCase):
         self.refuses(morphe("explain", self.folder), self.folder, "plans.h5")
         other = self.folder / "other.h5"
         other.write_bytes((self.run_folder / "demonstrations.h5").read_bytes() + b"\0")
-        self.refuses(morphe("explain", self.run_folder, "--try", "--dataset", other), "explain --try", "was planned from")
+        self.refuses(morphe("explain", self.run_folder, "--try", "--dataset", other), "explain --try", "is not the dataset from which")
 
 
 support.main()

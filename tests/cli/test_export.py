@@ -53,8 +53,8 @@ class Export(CommandCase):
         """The files written, by name."""
         out = self.folder / folder
         printed = self.succeeds("export", PLANS, "--format", kind, "--out", out).stdout
-        self.assertIn("ADL001AR1/001 left out: no_path: a wall is in the way\n", printed)
-        self.assertIn(" and the index written, 1 plan left out\n", printed)
+        self.assertIn("ADL001AR1/001 skipped: no_path: a wall is in the way\n", printed)
+        self.assertIn(" and the index written, 1 plan skipped\n", printed)
         return {file.name: file for file in out.iterdir() if not file.name.startswith("index_")}
 
     def plan(self, path):
@@ -119,7 +119,7 @@ class Export(CommandCase):
         sample, pose = grasp.attrs["sample"] - 1, grasp["object_pose"][()]
         tips = grasp["tips_in_object"][()] @ pose[:3, :3].T + pose[:3, 3]
         np.testing.assert_allclose(seen["tip_positions"][sample].reshape(-1, 3), tips, atol=1e-12)
-        palm = pose @ grasp["wrist_pose_in_object"][()]
+        palm = pose @ grasp["palm_pose_in_object"][()]
         np.testing.assert_allclose(seen["palm_position"][sample], palm[:3, 3], atol=1e-12)
         w, x, y, z = seen["palm_orientation"][sample]
         turned = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)]
@@ -194,12 +194,12 @@ class Export(CommandCase):
             del file["plans/ADL001DR2"], file["plans/ADL001AR1/000"]
         for kind in ("csv", "ros", "robomimic"):
             out = self.folder / kind
-            self.assertIn("0 files and the index written, 1 plan left out",
+            self.assertIn("0 files and the index written, 1 plan skipped",
                           self.succeeds("export", copy, "--format", kind, "--out", out).stdout)
             index = json.loads((out / f"index_{kind}.json").read_text())
             self.assertEqual([file.name for file in out.iterdir()], [f"index_{kind}.json"])
-            self.assertEqual((index["plans"], index["left_out"]), (
-                [], [{"plan": "ADL001AR1/001", "why": "no_path: a wall is in the way"}]))
+            self.assertEqual((index["plans"], index["skipped"]), (
+                [], [{"plan": "ADL001AR1/001", "reason": "no_path: a wall is in the way"}]))
 
     def test_a_script_can_tell_approximate_plans(self):
         copy = self.folder / "plans.h5"
@@ -224,8 +224,8 @@ class Export(CommandCase):
             time = file["plans"][SECOND]["trajectory/time"]
             time[5] = time[4]
         printed = self.succeeds("export", copy, "--format", "csv", "--out", self.folder / "out").stdout
-        self.assertIn(f"{FIRST} left out: the trajectory holds what is no number", printed)
-        self.assertIn(f"{SECOND} left out: the trajectory's time does not increase", printed)
+        self.assertIn(f"{FIRST} skipped: the trajectory contains values that are not finite numbers", printed)
+        self.assertIn(f"{SECOND} skipped: the trajectory's time does not increase", printed)
 
     def test_refuses(self):
         out = self.folder / "new/out"

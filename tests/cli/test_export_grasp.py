@@ -41,22 +41,23 @@ class ExportGrasp(CommandCase):
     def test_tables_hold_every_contact_and_joint(self):
         out = self.exported("csv")
         self.assertEqual(self.indexed("csv"), {
-            PLAN: ["ADL001DR2_000_contacts.csv", "ADL001DR2_000_squeeze.csv"], "ADL001AR1/000": None})
+            PLAN: ["ADL001DR2_000_contacts.csv", "ADL001DR2_000_grasp_force.csv"], "ADL001AR1/000": None})
         rows = rows_of(out / "ADL001DR2_000_contacts.csv")
         contacts = self.grasp["contacts"]
         self.assertEqual([row["tip"] for row in rows], list(contacts["tip"].asstr()))
         self.assertEqual([row["origin"] for row in rows], list(contacts["origin"].asstr()))
-        for column, name in (("gap_m", "gap"), ("pad_angle_rad", "pad_angle"), ("force_N", "force")):
+        for column, name in (("signed_distance_m", "signed_distance"), ("pad_angle_rad", "pad_angle"),
+                             ("normal_force_N", "normal_force")):
             self.assertEqual([float(row[column] or "nan") for row in rows],
                              [float(x) for x in contacts[name][()]])
         for prefix, name, unit in (("point", "point", "_m"), ("normal", "normal", "")):
             values = [[float(row[f"{prefix}_{axis}{unit}"]) for axis in "xyz"] for row in rows]
             np.testing.assert_array_equal(values, contacts[name][()])
-        joints = rows_of(out / "ADL001DR2_000_squeeze.csv")
+        joints = rows_of(out / "ADL001DR2_000_grasp_force.csv")
         self.assertEqual([row["joint"] for row in joints], self.joints)
-        for column, values in (("grasp", self.grasp["hand_posture"]),
-                               ("squeeze_torque", self.grasp["squeeze/torque"]),
-                               ("servo_target", self.grasp["squeeze/servo_target"])):
+        for column, values in (("grasp", self.grasp["grasp_posture"]),
+                               ("grasp_torque", self.grasp["grasp_force/torque"]),
+                               ("servo_target", self.grasp["grasp_force/servo_target"])):
             np.testing.assert_array_equal([float(row[column]) for row in joints], values[()])
 
     def test_json_is_the_group_of_the_file(self):
@@ -65,12 +66,12 @@ class ExportGrasp(CommandCase):
         read = json.loads((out / "ADL001DR2_000_grasp.json").read_text())
         self.assertEqual((read["format"], read["version"], read["plan"]), ("morphe-grasp", 1, PLAN))
         self.assertEqual(read["joints"], self.joints)
-        self.assertIn("never part of it", read["note"])
+        self.assertIn("kept apart from the trajectory", read["note"])
         self.assertAlmostEqual(read["time_s"], 0.5 + self.time[self.grasp.attrs["sample"]], 12)
         self.assertEqual(set(read["quality"]), set(self.grasp["quality"].attrs))
-        self.assertEqual(read["quality"]["given"], self.grasp["quality"].attrs["given"])
+        self.assertEqual(read["quality"]["available_force"], self.grasp["quality"].attrs["available_force"])
         np.testing.assert_array_equal(read["object_pose"], self.grasp["object_pose"][()])
-        np.testing.assert_array_equal(read["squeeze"]["servo_target"], self.grasp["squeeze/servo_target"][()])
+        np.testing.assert_array_equal(read["grasp_force"]["servo_target"], self.grasp["grasp_force/servo_target"][()])
         np.testing.assert_array_equal([one["point"] for one in read["contacts"]],
                                       self.grasp["contacts/point"][()])
         self.assertEqual(set(read["contacts"][0]), set(self.grasp["contacts"]))
@@ -86,7 +87,7 @@ class ExportGrasp(CommandCase):
             self.assertEqual(set(file["grasps"]), {demos[PLAN]})
             stored = file["grasps"][demos[PLAN]]
             self.assertEqual(set(stored), set(self.grasp))
-            for name in ("contacts/point", "contacts/force", "squeeze/torque", "hand_posture"):
+            for name in ("contacts/point", "contacts/normal_force", "grasp_force/torque", "grasp_posture"):
                 np.testing.assert_array_equal(stored[name][()], self.grasp[name][()])
             self.assertEqual(dict(stored["quality"].attrs).keys(), dict(self.grasp["quality"].attrs).keys())
             self.assertNotIn("grasp", file["data"][demos[PLAN]])

@@ -63,7 +63,7 @@ class FolderCase(CommandCase):
                 found[name] = tuple(None if data is None else round(1000 * data[0, 0, 0], 3)
                                     for data in (group["markers/position"], still))
             self.attributes = {name: dict(group.attrs) for name, group in file["demonstrations"].items()}
-            self.reports = {name: list(group["reports"].asstr()) for name, group in file["demonstrations"].items()}
+            self.reports = {name: list(group["import_notes"].asstr()) for name, group in file["demonstrations"].items()}
         return found, result.stderr
 
 
@@ -96,7 +96,7 @@ class AsALaboratorySortsThem(FolderCase):
         self.assertEqual(list(found)[:2], ["P01_reach01", "P01_reach02"])
         self.assertEqual(self.attributes["P07_reach03"]["subject"], b"P07")
         for name in ("README.md", "P03/notes.pdf", "P05/picture.png"):
-            self.assertIn(f"left out: {self.lab}/{name}: not a recording", said)
+            self.assertIn(f"skipped: {self.lab}/{name}: not a recording", said)
 
     def test_other_layouts(self):
         for number, (trial, static) in enumerate([
@@ -130,8 +130,8 @@ class WhatElseLiesThere(FolderCase):
         self.put("P1/static.csv", recording("ADL001_static", "P1", 1))
         found, said = self.imported()
         self.assertEqual(sorted(found.values(), key=str), [(11, 1), (12, 1), (21, None), (22, None)])
-        self.assertIn("note: P2: 2 recordings: no static trial was found", said)
-        self.assertIn("no static trial was found for it", self.reports["P2_t1"])
+        self.assertIn("note: P2: 2 recordings: no static trial found", said)
+        self.assertIn("no static trial found", self.reports["P2_t1"])
 
     def test_the_hand_is_told_from_the_motion(self):
         self.put("right.csv", recording("ADL001DR2", "A", 1))
@@ -154,16 +154,16 @@ class WhatElseLiesThere(FolderCase):
             pass
         found, said = self.imported()
         self.assertEqual(found, {"a": (1, None), "other_a": (2, None)})
-        for what in ("copy/b.csv: has the bytes of a.csv", ".c.csv: hidden", ".git: hidden",
-                     "ADL001FR1angles.csv: not a recording", "inverse_kin.mot: joint angles alone",
+        for what in ("copy/b.csv: identical to a.csv", ".c.csv: hidden", ".git: hidden",
+                     "ADL001FR1angles.csv: not a recording", "inverse_kin.mot: only joint angles",
                      "old.h5: an HDF5 file"):
-            self.assertIn(f"left out: {self.lab}/{what}", said)
+            self.assertIn(f"skipped: {self.lab}/{what}", said)
 
     def test_called_static_but_moving(self):
         self.put("static_cup.csv", recording("ADL001DR2", "A", 1))
         found, said = self.imported()
         self.assertEqual(found, {"static_cup": (1, None)})
-        self.assertIn("called a static trial, but moving", said)
+        self.assertIn("named as a static trial, but the person moves", said)
 
     def test_one_that_cannot_be_read_does_not_lose_the_rest(self):
         self.put("good.csv", recording("ADL001FR1", "A", 1))
@@ -189,15 +189,15 @@ class WhatElseLiesThere(FolderCase):
         os.mkfifo(self.lab / "pipe.csv")
         found, said = self.imported()
         self.assertEqual(list(found), ["P1_t", "P2_t"])
-        for what in ("P1/again: leads to a folder", "broken.csv: cannot be read", "pipe.csv: no file"):
-            self.assertIn(f"left out: {self.lab}/{what}", said)
+        for what in ("P1/again: link to a folder", "broken.csv: cannot be read", "pipe.csv: not a regular file"):
+            self.assertIn(f"skipped: {self.lab}/{what}", said)
 
     def test_many_with_one_reason_are_counted(self):
         self.put("good.csv", recording("ADL001FR1", "A", 1))
         for k in range(500):
             self.put(f"notes/{k}.txt", f"{k}\n")
         _, said = self.imported()
-        self.assertIn("left out: 497 more: not a recording", said)
+        self.assertIn("skipped: 497 more: not a recording", said)
         self.assertLess(said.count("\n"), 10)
 
     def test_formats_side_by_side(self):
@@ -217,7 +217,7 @@ class WhatElseLiesThere(FolderCase):
         shutil.copytree(RECORDINGS, self.lab / "adl")
         self.put("adl/more.csv", recording("ADL001FR1", "A", 1))
         _, said = self.imported()
-        self.assertIn(f"left out: {self.lab}/adl/more.csv: adl/recordings.yaml does not list it", said)
+        self.assertIn(f"skipped: {self.lab}/adl/more.csv: not listed in adl/recordings.yaml", said)
 
 
 class TheManifest(FolderCase):
@@ -272,7 +272,7 @@ class TheManifest(FolderCase):
         with h5py.File(out / "demonstrations.h5") as file:
             self.assertEqual(list(file["demonstrations"]), ["ADL001FR1"])
             self.assertIn("calibration", file["demonstrations/ADL001FR1"])
-        result = self.json_of("run", REFERENCE, "--dataset", csv, "--static", static, "--out",
+        result = self.json_of("run", REFERENCE, "--dataset", csv, "--static-trial", static, "--out",
                               self.folder / "other", *QUICK)
         self.assertEqual(result["movements"], 1)
 

@@ -1,4 +1,4 @@
-"""`morphe verify` accepts the contacts, the quality and the squeeze that `run` wrote, and finds
+"""`morphe verify` accepts the contacts, the quality and the grasp force that `run` wrote, and finds
 whatever of them is forged beyond its tolerances. Takes 14 s of processor time: 80 plans are judged."""
 import shutil
 
@@ -8,7 +8,7 @@ import numpy as np
 from support import CommandCase, add_copy, json, main, morphe, planned_sample
 
 PLAN = "ADL001DR2/000"
-OF_A_GRASP = ("grasp", "contact", "quality", "squeeze")
+OF_A_GRASP = ("grasp", "contact", "quality", "grasp_force")
 
 
 def setUpModule():
@@ -71,9 +71,9 @@ class Forged(CommandCase):
     def test_where_and_how_the_hand_is(self):
         def of(name):
             return lambda plan, where=0, by=1e-5: add(plan["grasp"][name], where, by)
-        for name, where in (("object_pose", (0, 3)), ("wrist_pose_in_object", (1, 3)),
-                            ("wrist_pose_in_object", (0, 0)), ("tips_in_object", (0, 1)),
-                            ("hand_posture", 3), ("pregrasp_posture", 8)):
+        for name, where in (("object_pose", (0, 3)), ("palm_pose_in_object", (1, 3)),
+                            ("palm_pose_in_object", (0, 0)), ("tips_in_object", (0, 1)),
+                            ("grasp_posture", 3), ("pregrasp_posture", 8)):
             self.finds("grasp", name, lambda plan: of(name)(plan, where))
 
         def from_elsewhere(plan):
@@ -86,7 +86,7 @@ class Forged(CommandCase):
         self.finds("grasp", "sample", one_later, nothing_else=True)
 
         def not_widest(plan):  # a posture of the trajectory, but the hand was wider open
-            plan["grasp/pregrasp_posture"][...] = plan["grasp/hand_posture"][()]
+            plan["grasp/pregrasp_posture"][...] = plan["grasp/grasp_posture"][()]
         self.finds("grasp", "pregrasp_posture", not_widest, nothing_else=True)
         self.verify_all()
 
@@ -117,11 +117,11 @@ class Forged(CommandCase):
             plan["grasp/contacts/normal"][0] = 1.001 * plan["grasp/contacts/normal"][0]
         self.finds("contact", f"{tip}/normal", longer)
 
-        for name, change in (("gap", 2e-5), ("pad_angle", 1e-4), ("confidence", 1.0)):
+        for name, change in (("signed_distance", 2e-5), ("pad_angle", 1e-4), ("confidence", 1.0)):
             self.finds("contact", f"{tip}/{name}",
                        lambda plan: add(plan["grasp/contacts"][name], 0, change), nothing_else=True)
-        self.finds("contact", f"{tip}/asked",
-                   lambda plan: add(plan["grasp/contacts/asked"], 0, 1e-3), nothing_else=True)
+        self.finds("contact", f"{tip}/desired_point",
+                   lambda plan: add(plan["grasp/contacts/desired_point"], 0, 1e-3), nothing_else=True)
 
         def another_link(plan):
             names = plan["grasp/contacts/link"][()]
@@ -144,9 +144,9 @@ class Forged(CommandCase):
     def test_quality(self):
         def of(*names, by):
             return lambda plan: scale(plan["grasp/quality"].attrs, by, *names)
-        for name, by in (("friction", 1.2), ("torsion", 2), ("mass", 0.5), ("torque_scale", 1.01),
-                         ("given", 1.1), ("needed_worst", 0.9), ("needed_worst", 1.5),
-                         ("needed_down", 0.9), ("needed_down", 1.5)):
+        for name, by in (("friction_coefficient", 1.2), ("torsional_friction", 2), ("mass", 0.5),
+                         ("characteristic_length", 1.01), ("available_force", 1.1), ("required_force_worst", 0.9),
+                         ("required_force_worst", 1.5), ("required_force_gravity", 0.9), ("required_force_gravity", 1.5)):
             self.finds("quality", name, of(name, by=by))
         both = "epsilon_lower", "epsilon_upper"
         self.finds("quality", "epsilon_lower", of(*both, by=1.1), nothing_else=True)
@@ -154,10 +154,10 @@ class Forged(CommandCase):
         self.finds("quality", "epsilon", of("epsilon_upper", by=1.5), nothing_else=True)
 
         def beside(plan):
-            centre = plan["grasp/quality"].attrs["centre"]
-            plan["grasp/quality"].attrs["centre"] = centre + [0, 0, 0.001]
-        self.finds("quality", "centre", beside)
-        for name in (*both, "needed_worst", "needed_down", "given", "mass"):
+            centre = plan["grasp/quality"].attrs["centre_of_mass"]
+            plan["grasp/quality"].attrs["centre_of_mass"] = centre + [0, 0, 0.001]
+        self.finds("quality", "centre_of_mass", beside)
+        for name in (*both, "required_force_worst", "required_force_gravity", "available_force", "mass"):
             def none(plan):
                 plan["grasp/quality"].attrs[name] = np.nan
             self.forge(f"no {name}", none, lambda found: self.assertTrue(
@@ -168,51 +168,51 @@ class Forged(CommandCase):
         """What came out of it stays what it was."""
         plan = self.file["plans"][PLAN]
         config = self.file.attrs["config"]
-        self.file.attrs["config"] = np.bytes_(config.replace(b"  friction: 0.8", b"  friction: 1.6"))
-        plan["grasp/quality"].attrs["friction"] = 1.6
+        self.file.attrs["config"] = np.bytes_(config.replace(b"  friction_coefficient: 0.8", b"  friction_coefficient: 1.6"))
+        plan["grasp/quality"].attrs["friction_coefficient"] = 1.6
         self.file.close()
         rows = json.loads(morphe("verify", self.copy, "--json").stdout)["violations"]
         self.assertEqual({row["plan"] for row in rows if row["cause"] != "config"} - {PLAN}, set())
         found = {row["subject"] for row in rows if row["cause"] == "quality"}
-        self.assertIn("needed_down", found)
-        self.assertNotIn("friction", found)
+        self.assertIn("required_force_gravity", found)
+        self.assertNotIn("friction_coefficient", found)
 
     def test_squeeze(self):
         tip = "thumb_tip"
-        self.finds("squeeze", "torque", lambda plan: add(plan["grasp/squeeze/torque"], 8, 1e-4))
-        self.finds("squeeze", "servo_target",
-                   lambda plan: add(plan["grasp/squeeze/servo_target"], 8, 1e-4), nothing_else=True)
-        self.finds("squeeze", "torque", lambda plan: add(plan["grasp/squeeze/torque"], 0, 1e-3))
-        self.finds("squeeze", "balance",
-                   lambda plan: add(plan["grasp/contacts/force"], 0, -0.8))
-        self.finds("squeeze", f"{tip}/force", lambda plan: add(plan["grasp/contacts/force"], 0, 1.0))
-        self.finds("squeeze", f"{tip}/force", lambda plan: add(plan["grasp/contacts/force"], 0, -20.0))
+        self.finds("grasp_force", "torque", lambda plan: add(plan["grasp/grasp_force/torque"], 8, 1e-4))
+        self.finds("grasp_force", "servo_target",
+                   lambda plan: add(plan["grasp/grasp_force/servo_target"], 8, 1e-4), nothing_else=True)
+        self.finds("grasp_force", "torque", lambda plan: add(plan["grasp/grasp_force/torque"], 0, 1e-3))
+        self.finds("grasp_force", "force_balance",
+                   lambda plan: add(plan["grasp/contacts/normal_force"], 0, -0.8))
+        self.finds("grasp_force", f"{tip}/normal_force", lambda plan: add(plan["grasp/contacts/normal_force"], 0, 1.0))
+        self.finds("grasp_force", f"{tip}/normal_force", lambda plan: add(plan["grasp/contacts/normal_force"], 0, -20.0))
 
         def outside_of_the_cone(plan):
-            plan["grasp/contacts/friction"][0] = 8 * plan["grasp/contacts/friction"][0]
-        self.finds("squeeze", f"{tip}/cone", outside_of_the_cone)
+            plan["grasp/contacts/friction_force"][0] = 8 * plan["grasp/contacts/friction_force"][0]
+        self.finds("grasp_force", f"{tip}/friction_cone", outside_of_the_cone)
 
         def along_the_normal(plan):
-            add(plan["grasp/contacts/friction"], 0, 0.1 * plan["grasp/contacts/normal"][0])
-        self.finds("squeeze", f"{tip}/cone", along_the_normal)
+            add(plan["grasp/contacts/friction_force"], 0, 0.1 * plan["grasp/contacts/normal"][0])
+        self.finds("grasp_force", f"{tip}/friction_cone", along_the_normal)
 
         def left_out(plan):
-            del plan["grasp/squeeze"]
-        self.finds("squeeze", "torque", left_out, nothing_else=True)
+            del plan["grasp/grasp_force"]
+        self.finds("grasp_force", "torque", left_out, nothing_else=True)
 
         def run_as_a_motion(plan):
             sample = plan["grasp"].attrs["sample"]
-            plan["trajectory/position"][sample + 1] = plan["grasp/squeeze/servo_target"][()]
-        self.finds("squeeze", "trajectory", run_as_a_motion)
+            plan["trajectory/position"][sample + 1] = plan["grasp/grasp_force/servo_target"][()]
+        self.finds("grasp_force", "trajectory", run_as_a_motion)
         self.verify_all()
 
     def test_goals_of_pads(self):
         def share(value):
             def change(plan):
-                plan["goals/pad_share"][0, 0] = value
+                plan["goals/tip_to_pad_share"][0, 0] = value
             return change
         for value in (-0.1, 1.1, np.nan):
-            self.finds("structure", "goals/pad_share", share(value), nothing_else=True)
+            self.finds("structure", "goals/tip_to_pad_share", share(value), nothing_else=True)
         self.verify_all()
 
     def test_every_number_of_a_grasp_is_held_against_something(self):

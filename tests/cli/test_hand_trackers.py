@@ -51,13 +51,13 @@ class HandTrackers(CommandCase):
         self.assertLess(np.nanmax(np.linalg.norm(wrist - hand.wrist, axis=-1)), within_m)
 
     def reports(self, group):
-        return [report.decode() for report in group["reports"][()]]
+        return [report.decode() for report in group["import_notes"][()]]
 
     def test_aria(self):
         for _, hand, group, _ in self.read(tracked_hands.write_aria):
             self.same_tips(hand, group, 1e-4, unseen=5 * 20)
-            self.assertIn("the left hand was never seen", self.reports(group))
-            self.assertIn(f"the right hand was seen in {len(hand.time) - 20} of {len(hand.time)} "
+            self.assertIn("the left hand is never visible", self.reports(group))
+            self.assertIn(f"the right hand is visible in {len(hand.time) - 20} of {len(hand.time)} "
                           "frames", self.reports(group))
 
     def same_phases(self, name, file):
@@ -101,8 +101,8 @@ class HandTrackers(CommandCase):
         for _, hand, group, _ in self.read(tracked_hands.write_manus):
             written = tracked_hands.in_hand(hand) @ turn.T
             self.assertLess(np.abs(group["hand/position"][()] - written).max(), 1e-4)
-            self.assertIn("the glove was not tracked: only the shape of the right hand is taken, not "
-                          "where it was", self.reports(group))
+            self.assertIn("the glove was not tracked: only the shape of the right hand is used, not "
+                          "its position", self.reports(group))
 
     def test_avp(self):
         for _, hand, group, _ in self.read(tracked_hands.write_avp_jsonl):
@@ -135,11 +135,11 @@ class HandTrackers(CommandCase):
             if i % 2:
                 line.pop("rightHand", None)
 
-        self.refuses(changed(other_side), file, "left hand: its fingers curl as those of a right")
-        self.assertIn("unit: cannot be right: the right hand would measure", changed(feet).stderr)
-        self.refuses(answer([lines[1], lines[0]]), f"{file}:2: timestamp", "does not follow")
+        self.refuses(changed(other_side), file, "left hand: its fingers curl like those of a right")
+        self.assertIn("unit: implausible: the right hand would measure", changed(feet).stderr)
+        self.refuses(answer([lines[1], lines[0]]), f"{file}:2: timestamp", "must be greater")
         self.assertFalse(out.exists())
-        self.assertIn("the right hand was seen in 137 of 284 frames", changed(half).stdout)
+        self.assertIn("the right hand is visible in 137 of 284 frames", changed(half).stdout)
 
     def test_damaged_files_end_as_they_should(self):
         hand = self.hands["door_demo_13"].every(slice(0, 40))
@@ -173,16 +173,16 @@ class HandTrackers(CommandCase):
         file = self.folder / "write_avp_npz/door_demo_06/door.npz"
         asked = morphe("import", file, "--out", self.folder / "r.h5")
         self.assertEqual(asked.returncode, 2)
-        self.assertIn(f"{file}: rate: the file does not say it", asked.stderr)
+        self.assertIn(f"{file}: rate: not in the file", asked.stderr)
 
     def test_damaged_npz(self):
         file = tracked_hands.write_avp_npz(self.hands["door_demo_06"], self.folder)
         arrays = dict(np.load(file))
         for key, value, said in (
                 ("stream_right_fingers", arrays["stream_right_fingers"][:, :24],
-                 "must hold 25 or 27 joints, not 24"),
+                 "must have 25 or 27 joints, not 24"),
                 ("stream_right_fingers", arrays["stream_right_fingers"][1:], "frames,"),
-                ("stream_right_wrist", 2 * arrays["stream_right_wrist"], "is no rigid motion"),
+                ("stream_right_wrist", 2 * arrays["stream_right_wrist"], "is not a rigid transform"),
                 ("stream_right_wrist", arrays["stream_right_wrist"][..., :3], "4 x 4 matrices")):
             np.savez(file, **{**arrays, key: value})
             self.refuses(morphe("import", file, "--rate", "100", "--out", self.folder / "r.h5"),

@@ -12,9 +12,9 @@ COMMANDS = re.findall(r"^  (\w+) ", morphe("--help").stdout.partition("Subcomman
 # command line that is tried here.
 ORDER = ("run", "verify", "diff", "list", "explain", "report", "simulate", "export", "import", "inspect", "merge", "robot", "robot setup", "synthesize",
          "place", "study", "schema", "doctor")
-SHORT = [word for key in ("map.starts=1", "map.key_frames=1", "map.candidates=1", "map.coarse_step_s=0.2", "map.reachable_starts=1",
-                          "repair.searches=0") for word in ("--set", key)]
-SHORTER = {"run": SHORT, "simulate": ["--load-directions", "none"], "place": [*SHORT, "--trials", 1, "--candidates", 8, "--refined", 2, "--planned", 1]}
+SHORT = [word for key in ("map.starts=1", "map.key_frames=1", "map.candidates=1", "map.coarse_step_s=0.2", "map.reach_search_starts=1",
+                          "repair.mapping_searches=0") for word in ("--set", key)]
+SHORTER = {"run": SHORT, "simulate": ["--load-directions", "none"], "place": [*SHORT, "--movements", 1, "--candidates", 8, "--refine", 2, "--plan", 1]}
 PARSED_ONLY = ("study",)  # tests/cli/test_study.py runs studies
 
 
@@ -50,15 +50,15 @@ class Meant(CommandCase):
         return result.stderr
 
     def test_commands(self):
-        self.assertEqual(self.said("rnu"), "there is no command 'rnu'; did you mean 'run'?\n"
-                         "morphe --help says more.\n")
+        self.assertEqual(self.said("rnu"), "unknown command 'rnu'; did you mean 'run'?\n"
+                         "See morphe --help.\n")
         self.assertIn("did you mean 'synthesize'?", self.said("synthesise", "x"))
-        self.assertIn("there is no command 'frobnicate'; there are ", self.said("frobnicate"))
+        self.assertIn("unknown command 'frobnicate'; available: ", self.said("frobnicate"))
 
     def test_options(self):
         self.assertEqual(self.said("run", "c.yaml", "--out", "o", "--jbos", "3"),
-                         "run: there is no option --jbos; did you mean '--jobs'?\n"
-                         "morphe run --help says more.\n")
+                         "run: unknown option --jbos; did you mean '--jobs'?\n"
+                         "See morphe run --help.\n")
         said = self.said("run", "--outt", "o", "--freshly=1", "--nonsense")
         self.assertIn("--outt; did you mean '--out'?\n", said)
         self.assertIn("--nonsense\n", said)
@@ -74,15 +74,15 @@ class Meant(CommandCase):
 
     def test_keys_all_at_once(self):
         config = self.folder / "c.yaml"
-        config.write_text("robto: {file: x}\nmap:\n  strats: 3\n  starts: many\n  mode: humanlik\nsede: 2\ncheck: {marginn: 1}\n")
+        config.write_text("robto: {file: x}\nmap:\n  strats: 3\n  starts: many\n  mode: humanlik\nsede: 2\ncheck: {required_clearanc: 1}\n")
         self.assertEqual(self.said("run", config, "--out", "o").splitlines(), [
-            f"{config}:1: robot: is missing; is 'robto' meant for it?",
+            f"{config}:1: robot: is missing; is 'robto' a misspelling of it?",
             f"{config}:5: map.mode: must be humanlike, joint_to_joint, inverse_kinematics or fingertip_only, not 'humanlik'",
             f"{config}:4: map.starts: must be a whole number, not 'many'",
             f"{config}:1: robto: unknown key; did you mean 'robot'?",
             f"{config}:3: map.strats: unknown key; did you mean 'starts'?",
             f"{config}:6: sede: unknown key; did you mean 'seed'?",
-            f"{config}:7: check.marginn: unknown key; did you mean 'margin'?"])
+            f"{config}:7: check.required_clearanc: unknown key; did you mean 'required_clearance'?"])
 
     def test_keys_of_a_robot_all_at_once(self):
         robot = self.folder / "r.yaml"
@@ -95,7 +95,7 @@ class Meant(CommandCase):
     def test_studies_and_schemas(self):
         study = self.folder / "s.yaml"
         study.write_text("study: retim\n")
-        self.assertIn("s.yaml:1: study: there is no study 'retim'; did you mean 'retime'?",
+        self.assertIn("s.yaml:1: study: unknown study 'retim'; did you mean 'retime'?",
                       self.said("study", study, "--out", "o"))
         self.assertIn("did you mean 'robot'?", self.said("schema", "robto"))
 
@@ -116,7 +116,7 @@ class Completed(CommandCase):
         (self.folder / "reached.yaml").write_text("")
         self.assertEqual(sorted(self.complete("morphe ")), sorted(COMMANDS))
         self.assertEqual(self.complete("morphe re"), ["report"])
-        self.assertEqual(self.complete("morphe run --s"), ["--set", "--shard", "--sort", "--static", "--strict"])
+        self.assertEqual(self.complete("morphe run --s"), ["--set", "--shard", "--sort", "--static-trial", "--strict"])
         self.assertEqual(self.complete("morphe robot s"), ["setup"])
         self.assertEqual(sorted(self.complete("morphe run re")), ["reached.yaml", "results"])
         self.assertEqual(sorted(self.complete("morphe run --out re")), ["reached.yaml", "results"])
@@ -125,19 +125,19 @@ class Completed(CommandCase):
 class Doctor(CommandCase):
     def test_all_is_well_here(self):
         report = self.json_of("doctor")
-        self.assertTrue(report["fit"])
-        found = {one["what"]: one for one in report["findings"]}
-        self.assertEqual(found["version"]["found"], morphe("--version").stdout.strip())
-        self.assertIn("HDF5", found["built with"]["found"])
-        self.assertRegex(found["cores"]["found"], r"^\d+ cores?")
+        self.assertTrue(report["ok"])
+        found = {one["name"]: one for one in report["checks"]}
+        self.assertEqual(found["version"]["detail"], morphe("--version").stdout.strip())
+        self.assertIn("HDF5", found["built with"]["detail"])
+        self.assertRegex(found["cores"]["detail"], r"^\d+ cores?")
         self.assertIn(" version ", self.succeeds("doctor", cwd=self.folder).stdout)
         self.assertEqual(os.listdir(self.folder), [])
 
     def test_the_shipped_files_are_found_where_they_are(self):
         for place in (SOURCE, self.folder):
-            found = {one["what"]: one for one in self.json_of_in(place)["findings"]}
-            self.assertEqual(found["shipped files"]["state"], "fine", place)
-            self.assertIn(str(SOURCE / "configs"), found["shipped files"]["found"])
+            found = {one["name"]: one for one in self.json_of_in(place)["checks"]}
+            self.assertEqual(found["shipped files"]["status"], "ok", place)
+            self.assertIn(str(SOURCE / "configs"), found["shipped files"]["detail"])
 
     def json_of_in(self, folder):
         import json
@@ -146,8 +146,8 @@ class Doctor(CommandCase):
     def test_a_folder_that_cannot_be_written(self):
         result = morphe("doctor", cwd="/proc")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("WRONG  this folder", result.stdout)
-        self.assertIn("-> work in a folder in which you may write", result.stdout)
+        self.assertIn("ERROR   this folder", result.stdout)
+        self.assertIn("-> work in a folder with write permission", result.stdout)
 
 
 if __name__ == "__main__":

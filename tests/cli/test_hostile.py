@@ -117,7 +117,7 @@ class Outputs(CommandCase):
         recording = self.folder / "a.csv"
         shutil.copy(SOURCE / "datasets/ue-adl/ADL001AR1.csv", recording)
         before = sha256(recording)
-        self.refuses(morphe("import", recording, "--out", recording), recording, "would be replaced")
+        self.refuses(morphe("import", recording, "--out", recording), recording, "would replace it")
         self.assertEqual(sha256(recording), before)
         plans = self.folder / "plans.h5"
         shutil.copy(SAMPLE, plans)
@@ -125,7 +125,7 @@ class Outputs(CommandCase):
         self.assertEqual(sha256(plans), sha256(SAMPLE))
 
     def test_devices(self):
-        self.refuses(morphe("report", SAMPLE, "--out", "/dev/null"), "/dev/null", "is no file")
+        self.refuses(morphe("report", SAMPLE, "--out", "/dev/null"), "/dev/null", "is a device, pipe or socket")
         self.refuses(morphe("import", SOURCE / "datasets/ue-adl/ADL001AR1.csv", "--out", "/dev/stdout"),
                      "/dev/stdout")
 
@@ -134,7 +134,7 @@ class Outputs(CommandCase):
         victim.write_text("kept")
         os.symlink(victim, self.folder / "page.html.part")
         self.refuses(morphe("report", SAMPLE, "--out", self.folder / "page.html"),
-                     self.folder / "page.html.part", "is in the way")
+                     self.folder / "page.html.part", "exists and is not a regular file")
         self.assertEqual(victim.read_text(), "kept")
 
 
@@ -191,7 +191,7 @@ class Runs(ManyCase):
             codes = sorted(process.returncode for process in two)
             self.assertIn(codes, ([0, 2], [0, 0]), said)  # the second may have come after the first
             if codes == [0, 2]:
-                self.assertIn(f"{out}: another run is at work in this folder\n", said)
+                self.assertIn(f"{out}: another run is using this folder\n", said)
             self.assertEqual(sha256(out / "plans.h5"), sha256(self.out / "plans.h5"))
             self.assertEqual(sorted(os.listdir(out)), ["journal.sqlite", "plans.h5"])
             shutil.rmtree(out)
@@ -206,11 +206,11 @@ class Runs(ManyCase):
 
     def test_rows_that_are_missing_in_a_journal(self):
         for change, merges in (("DELETE FROM plans WHERE rowid = 3", False),
-                               ("DELETE FROM wanted WHERE rowid = 3", False),
-                               ("DELETE FROM done WHERE rowid = 3", False),
-                               ("UPDATE done SET summary = '{'", False),
-                               ("UPDATE about SET value = 'x' WHERE key = 'demonstrations'", False),
-                               ("UPDATE about SET value = 'x' WHERE key = 'robot'", False)):
+                               ("DELETE FROM scheduled WHERE rowid = 3", False),
+                               ("DELETE FROM results WHERE rowid = 3", False),
+                               ("UPDATE results SET summary = '{'", False),
+                               ("UPDATE metadata SET value = 'x' WHERE key = 'demonstrations'", False),
+                               ("UPDATE metadata SET value = 'x' WHERE key = 'robot'", False)):
             with self.subTest(change):
                 shutil.rmtree(self.out, ignore_errors=True)
                 shutil.copytree(self.plain, self.out)
@@ -227,7 +227,7 @@ class Runs(ManyCase):
         with sqlite3.connect(self.out / "journal.sqlite") as journal:
             journal.execute("DELETE FROM plans WHERE rowid = 3")
         self.refuses(morphe(*self.command(self.out)), self.out / "journal.sqlite", "is damaged",
-                     "of", "plans are there", "--fresh")
+                     "of", "plans found", "--fresh")
 
     def test_plans_that_changed_places(self):
         shutil.copytree(self.plain, self.out)
@@ -292,14 +292,14 @@ class Recordings(ManyCase):
 
     def test_objects_without_a_pose(self):
         """A pose that is not there made a run that never ended."""
-        for what, word in (({"position": (np.nan,) * 3}, "is no place"), ({"w": 0}, "is no rotation"),
-                           ({"size": (-0.03, 0.1)}, "is no size")):
+        for what, word in (({"position": (np.nan,) * 3}, "is not a possible position"), ({"w": 0}, "is not a rotation"),
+                           ({"size": (-0.03, 0.1)}, "is not a possible size")):
             with self.subTest(word):
                 self.one_fails(lambda group: self.put_object(group, **what), word)
 
         def back(group):
             self.put_object(group)["time"][...] = [0.1, 0.0]
-        self.one_fails(back, "does not follow the row before")
+        self.one_fails(back, "must be greater than in the previous row")
 
     def test_an_object_named_as_one_of_the_scene_fails_its_demonstration_alone(self):
         """Written, it ended the run. The table is nobody's clash: one that was recorded is the table."""
@@ -309,7 +309,7 @@ class Recordings(ManyCase):
             "scene: {", "scene: {objects: [{name: cup, shape: sphere, size: [0.01], position: [0.2, 0, 2]}], "))
         result = morphe("run", config, "--dataset", file, "--out", self.out)
         self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertIn("synthetic_000000: scene/cup: the name stands twice\n", result.stderr)
+        self.assertIn("synthetic_000000: scene/cup: the name appears twice\n", result.stderr)
         self.assertIn(", 1 failed", result.stdout)
         file = self.spoiled(lambda group: self.put_object(group, "table", (0.4, 0.02)))
         result = morphe("run", self.config, "--dataset", file, "--out", self.folder / "table")
@@ -342,7 +342,7 @@ class Hdf5(CommandCase):
                 str(SAMPLE), "/plans/ADL001AR1/000/goals")
         for command in ("verify", "list"):
             self.refuses(morphe(command, plans), f"{plans}:/plans/ADL001AR1/000/goals",
-                         "leads into another file")
+                         "is a link into another file")
         pipe = self.folder / "pipe.h5"
         os.mkfifo(pipe)
         listening = socket.socket(socket.AF_UNIX)
@@ -421,12 +421,12 @@ class Yaml(CommandCase):
             (self.folder / f"{k}.yaml").write_text(f"extends: {k + 1}.yaml\n")
         result = morphe("run", self.folder / "0.yaml", "--out", self.folder / "out")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("more than 100 configs in a row", result.stderr)
+        self.assertIn("more than 100 configs extend one another", result.stderr)
 
     def test_an_alias_of_itself_on_the_command_line(self):
         result = morphe("run", REFERENCE, "--out", self.folder / "out", "--set", "map=&a [*a]")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("holds itself", result.stderr)
+        self.assertIn("contains itself", result.stderr)
 
 
 class Ros(CommandCase):
@@ -438,7 +438,7 @@ class Ros(CommandCase):
         for kind in ("ros", "ros-json"):
             out = self.folder / kind
             said = self.succeeds("export", plans, "--format", kind, "--out", out).stdout
-            self.assertIn("ADL001AR1/000 left out: takes longer than a ROS message can tell", said)
+            self.assertIn("ADL001AR1/000 skipped: is longer than a ROS message can express", said)
 
 
 if __name__ == "__main__":

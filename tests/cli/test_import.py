@@ -11,8 +11,8 @@ DEMONSTRATIONS = ["ADL001DR2", "ADL004DR2", "ADL006DR2", "ADL001FR1", "ADL001AR1
 ENTRY = ["name", "duration_s", "streams", "movements", "problems", "subject", "task", "hand",
          "calibration", "objects", "rebuilt", "residuals", "estimated", "missing", "reports",
          "points"]
-STREAM = ["name", "rate_hz", "seen", "begin_s", "duration_s", "columns", "gaps", "longest_gap_s",
-          "longest_gap_of", "unseen"]
+STREAM = ["name", "rate_hz", "valid_share", "begin_s", "duration_s", "columns", "gaps", "longest_gap_s",
+          "longest_gap_column", "empty_columns"]
 PHASE = ["name", "begin_s", "end_s", "confidence", "begin_confidence", "end_confidence"]
 
 
@@ -40,7 +40,7 @@ class Import(CommandCase):
     def test_one_recording_with_its_static_trial(self):
         file, csv, static = (self.folder / "one.h5", RECORDINGS / "ADL001DR2.csv",
                              RECORDINGS / "ADL001_static.csv")
-        self.succeeds("import", csv, "--static", static, "--out", file, "--forward", "recorded")
+        self.succeeds("import", csv, "--static-trial", static, "--out", file, "--forward", "recorded")
         with h5py.File(file) as imported:
             self.assertEqual(list(imported["demonstrations"]), ["ADL001DR2"])
             group = imported["demonstrations/ADL001DR2"]
@@ -102,18 +102,18 @@ class Inspect(CommandCase):
                 self.assertEqual(list(stream), STREAM)
                 points = points_of(RECORDINGS / f"{entry['name']}.csv")
                 hidden = np.isnan(points).any(axis=2)
-                self.assertAlmostEqual(stream["seen"], 1 - hidden.mean())
+                self.assertAlmostEqual(stream["valid_share"], 1 - hidden.mean())
                 starts = hidden & ~np.vstack([np.zeros((1, hidden.shape[1]), bool), hidden[:-1]])
                 self.assertEqual(stream["gaps"], starts.sum())
-                self.assertEqual(len(stream["unseen"]), hidden.all(axis=0).sum())
+                self.assertEqual(len(stream["empty_columns"]), hidden.all(axis=0).sum())
                 self.assertEqual(stream["name"], "markers")
                 self.assertAlmostEqual(stream["rate_hz"], 100)
-                self.assertTrue(0.5 < stream["seen"] <= 1)
+                self.assertTrue(0.5 < stream["valid_share"] <= 1)
                 self.assertGreaterEqual(len(entry["movements"]), 1)
                 for movement in entry["movements"]:
                     self.assertEqual(list(movement), ["begin_s", "end_s", "phases", "target",
-                                                      "unusable"])
-                    self.assertEqual(movement["unusable"], "")
+                                                      "unusable_reason"])
+                    self.assertEqual(movement["unusable_reason"], "")
                     self.assertTrue(0 <= movement["begin_s"] < movement["end_s"]
                                     <= entry["duration_s"])
                     for phase in movement["phases"]:
@@ -139,7 +139,7 @@ class Inspect(CommandCase):
     def test_takes_the_options_of_a_config(self):
         file, config = self.folder / "one.h5", self.folder / "other.yaml"
         self.succeeds("import", RECORDINGS / "recordings.yaml", "--out", file)
-        config.write_text(f"extends: {REFERENCE}\nsegment: {{least_reach: 5}}\n")
+        config.write_text(f"extends: {REFERENCE}\nsegment: {{min_reach_distance: 5}}\n")
         default = self.json_of("inspect", file)
         asked = self.json_of("inspect", file, "--config", config)
         self.assertTrue(all(entry["movements"] for entry in default["demonstrations"]))
@@ -173,7 +173,7 @@ class PartlySeen(CommandCase):
         lines = (RECORDINGS / "ADL001FR1.csv").read_text(encoding="utf-8-sig").splitlines()
         csv, dataset, out = (self.folder / name for name in ("reach.csv", "reach.h5", "out"))
         csv.write_text("\n".join(lines[:5] + rows(lines[2].split(","), lines[5:])) + "\n")
-        self.succeeds("import", csv, "--static", RECORDINGS / "ADL001_static.csv", "--out", dataset)
+        self.succeeds("import", csv, "--static-trial", RECORDINGS / "ADL001_static.csv", "--out", dataset)
         printed = self.succeeds("run", REFERENCE, "--dataset", dataset, "--out", out, *QUICK).stdout
         with h5py.File(out / "plans.h5") as file:
             plan = file["plans/reach/000"]
@@ -196,7 +196,7 @@ class PartlySeen(CommandCase):
     def test_a_reach_that_is_cut_off_is_called_uncertain(self):
         status, detail = self.detail_of(lambda names, rows: rows[:150])
         self.assertEqual(status, b"executable")
-        self.assertIn("reach begins or ends uncertainly", detail)
+        self.assertIn("the limits of phase reach are uncertain", detail)
 
 
 class WithoutAnArm(CommandCase):
@@ -246,7 +246,7 @@ class WithoutAnArm(CommandCase):
 
     def test_does_not_hinder_the_others(self):
         both = self.folder / "both.h5"
-        self.succeeds("import", self.csv, RECORDINGS / "ADL001AR1.csv", "--static",
+        self.succeeds("import", self.csv, RECORDINGS / "ADL001AR1.csv", "--static-trial",
                       RECORDINGS / "ADL001_static.csv", "--out", both)
         self.dataset = both
         result = self.run_it("--json")

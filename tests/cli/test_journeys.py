@@ -102,12 +102,12 @@ class Markers(Journey):
     def expect_a_movement(self):
         entry, = self.json_of("inspect", self.folder / "out.h5")["demonstrations"]
         movement, = entry["movements"]
-        self.assertEqual(movement["unusable"], "")
+        self.assertEqual(movement["unusable_reason"], "")
         return entry
 
     def test_trc_of_other_names_and_axes(self):
         self.write_both(".trc", lambda t: trc_text(t.called(called).seen_as("-y z -x"), "mm"))
-        self.arrives("import", "reach.trc", "--static", "static.trc", "--out", "out.h5")
+        self.arrives("import", "reach.trc", "--static-trial", "static.trc", "--out", "out.h5")
         self.assertEqual(self.tries, 2)
         self.expect_markers(self.folder / "out.h5", self.trial)
         self.expect_markers(self.folder / "out.h5", self.still, 2e-3, "calibration/markers")
@@ -116,20 +116,20 @@ class Markers(Journey):
     def test_c3d_of_optitrack_says_neither_where_points_begin_nor_their_unit(self):
         self.write_both(".c3d", lambda t: c3d_bytes(t.called(called).seen_as("x z -y"), unit="",
                                                     rate=100, data_start=0))
-        self.arrives("import", "reach.c3d", "--static", "static.c3d", "--out", "out.h5")
+        self.arrives("import", "reach.c3d", "--static-trial", "static.c3d", "--out", "out.h5")
         self.expect_markers(self.folder / "out.h5", self.trial, 1e-5)
         for asked in ("axes", "unit", "names"):
             self.assertIn(f": {asked}: ", self.said)
 
     def test_qualisys_tsv(self):
         self.write_both(".tsv", lambda t: qualisys_tsv(t.called(called).seen_as("y -x z")))
-        self.arrives("import", "reach.tsv", "--static", "static.tsv", "--out", "out.h5")
+        self.arrives("import", "reach.tsv", "--static-trial", "static.tsv", "--out", "out.h5")
         self.expect_markers(self.folder / "out.h5", self.trial, 1e-5)
 
     def test_own_csv_of_markers_in_inches_with_decimal_commas(self):
         self.write_both(".csv", lambda t: point_csv(t.called(called).seen_as("z x y"), metres=0.0254,
                                                     separator=";", comma=True, axis=" {}"))
-        self.arrives("import", "reach.csv", "--static", "static.csv", "--rate", 100, "--out", "out.h5")
+        self.arrives("import", "reach.csv", "--static-trial", "static.csv", "--rate", 100, "--out", "out.h5")
         self.expect_markers(self.folder / "out.h5", self.trial, 1e-5)
 
     def test_without_a_static_trial_the_doubt_is_printed(self):
@@ -141,10 +141,10 @@ class Markers(Journey):
     def test_usual_axes_that_the_body_contradicts_give_way(self):
         (self.folder / "turned.csv").write_text(vicon_csv(self.trial.seen_as("y -x z")))
         printed = self.arrives("import", "turned.csv", "--out", "out.h5").stdout
-        self.assertIn("89 degrees away from where the recorded axes say", printed)
+        self.assertIn("89 degrees away from the forward axis", printed)
         self.expect_markers(self.folder / "out.h5", self.trial)
         kept = self.arrives("import", "turned.csv", "--forward", "recorded", "--out", "out.h5").stdout
-        self.assertIn("the body stands otherwise than these axes have it", kept)
+        self.assertIn("the posture of the body contradicts the axes", kept)
         self.assertIn("'y -x z'", kept)
 
 
@@ -181,7 +181,7 @@ class OwnPoints(Journey):
         self.arrives("import", "reach.txt", "--out", "out.h5")
         self.expect_joints()
         entry, = self.json_of("inspect", self.folder / "out.h5")["demonstrations"]
-        self.assertEqual([p["taken_for"] for p in entry["points"]],
+        self.assertEqual([p["body_part"] for p in entry["points"]],
                          [n.replace("_", " ") for n in self.truth.names])
         self.assertEqual(len(entry["movements"]), 1)
 
@@ -198,7 +198,7 @@ class OwnPoints(Journey):
         text = point_csv(self.truth.seen_as("y z x"), metres=0.01, time="t")
         (self.folder / "reach.csv").write_text(text)
         printed = self.arrives("inspect", "reach.csv").stdout
-        self.assertIn("taken for", printed)
+        self.assertIn("used as", printed)
         self.assertIn("1 movements", printed.replace("1 movement,", "1 movements,"))
 
 
@@ -296,7 +296,7 @@ class Wrong(Journey):
         manifest.write_text("recordings:\n  - {file: reach.csv}\n")
         refused = morphe("import", manifest, "--out", self.folder / "out.h5")
         self.assertEqual(refused.returncode, 2)
-        lines = refused.stderr.split("recording's own keys:\n")[1]
+        lines = refused.stderr.split("entry of the recording:\n")[1]
         manifest.write_text(lines + manifest.read_text())
         self.succeeds("import", manifest, "--out", self.folder / "out.h5")
 

@@ -10,10 +10,10 @@ from support import QUICK, REFERENCE, CommandCase, main
 
 ONE_MOVEMENT = """\
 movements:
-  per_recording: [1, 1]
+  movements_per_recording: [1, 1]
   rest_s: [0.3, 0.5]
 object:
-  recorded_share: 1
+  tracked_object_share: 1
 """
 
 
@@ -60,8 +60,7 @@ class LeftHand(CommandCase):
                 self.assertEqual([len(d["movements"]) for d in right], [1])
                 self.assertEqual([d["movements"] for d in right], [d["movements"] for d in left])
                 self.assertEqual(left[0]["problems"],
-                                 right[0]["problems"] + ["a left hand, mirrored at X = 0 into a "
-                                                         "right one"])
+                                 right[0]["problems"] + ["a left hand: mirrored at X = 0 into a right hand"])
 
     def test_plans_are_the_same(self):
         plans = []

@@ -15,7 +15,7 @@ SHELF = SOURCE / "configs/pipelines/pa10_dlr_hit2_shelf.yaml"
 RECORDING = """\
 format: vicon-csv
 recordings:
-  - {{file: {0}/ADL001DR2.csv, static: {0}/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}}
+  - {{file: {0}/ADL001DR2.csv, static_trial: {0}/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}}
 """
 PLAN = "ADL001DR2/000"
 # The judge in Python takes as long as there are samples, times triangles, times capsules.
@@ -80,7 +80,7 @@ class Shelf(MeshCase):
     def test_the_hand_finds_its_way_in(self):
         reason, detail = self.run_with(SHELF)
         self.assertEqual(reason, "", detail)
-        self.assertNotIn("not closed", detail)
+        self.assertNotIn("not a closed mesh", detail)
         self.assertEqual(self.violations(), ([], []))
         with h5py.File(self.plans) as file:
             plan, shelf = file["plans"][PLAN], file["plans"][PLAN]["scene/shelf"]
@@ -90,7 +90,7 @@ class Shelf(MeshCase):
             self.assertEqual(shelf["triangles"].shape, (36, 3))
             self.assertEqual(text(shelf["vertices"].attrs["unit"]), "m")
             self.assertAlmostEqual(np.ptp(shelf["vertices"][:, 0]), 0.39)
-            found = {text(row) for row in plan["findings/second"]}
+            found = {text(row) for row in plan["findings/other_body"]}
             self.assertIn("shelf", found)
             self.assertEqual(plan["certificate"].attrs["repaired"], 1)
             tip = list(file["robot/tips/name"].asstr()).index("index_tip")
@@ -104,7 +104,7 @@ class Shelf(MeshCase):
             shelf = file["plans"][PLAN]["scene/shelf"]
             shelf["position"][0] = hand  # the foot of the leg
         for rows in self.violations():
-            self.assertTrue([row for row in rows if row["cause"] == "object" and "/shelf" in row["subject"]])
+            self.assertTrue([row for row in rows if row["cause"] == "object_collision" and "/shelf" in row["subject"]])
         shutil.copy(copy, self.plans)
         with h5py.File(self.plans, "r+") as file:
             shelf = file["plans"][PLAN]["scene/shelf"]
@@ -138,7 +138,7 @@ class Hollow(MeshCase):
         low, high = (-0.6, -0.9, -0.6), (1.2, 1.2, 1.6)
         reason, detail = self.run_with(self.config_with(("basin", low, high, 5)))
         self.assertEqual(reason, "", detail)
-        self.assertIn("basin is not closed: only its surface counts", detail)
+        self.assertIn("basin is not a closed mesh: only its surface is an obstacle", detail)
         self.assertEqual(self.violations(), ([], []))
 
     def test_goal_inside(self):

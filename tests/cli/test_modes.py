@@ -18,11 +18,11 @@ sys.path.insert(0, str(SOURCE / "tests"))
 from verify_plans import Robot  # noqa: E402
 
 COARSE = ("--set", "retime.sample_rate_hz=50")  # not 500: judged in a fraction of the time
-SMALL = (*QUICK, "--set", "map.reachable_starts=4")
+SMALL = (*QUICK, "--set", "map.reach_search_starts=4")
 ONE_RECORDING = """\
 format: vicon-csv
 recordings:
-  - {file: recorded/ADL001DR2.csv, static: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+  - {file: recorded/ADL001DR2.csv, static_trial: recorded/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
 """
 DOOR = f"""\
 format: adroit-csv
@@ -33,7 +33,7 @@ recordings:
 FREE_ARM = """\
 robot: {{file: {robot}}}
 scene: {{table: {{infer: false}}, target: {{infer: false}}}}
-check: {{tracking_grasp: 0.012, tracking: 0.030}}
+check: {{tracking_tolerance_grasp: 0.012, tracking_tolerance: 0.030}}
 """
 FOUR_FINGERS = """\
 name: arm9_hand4
@@ -77,7 +77,7 @@ class Runs(CommandCase):
         for name, more in {"humanlike": [], "inverse_kinematics": ["map.mode=inverse_kinematics"],
                            "fingertip_only": ["map.mode=fingertip_only"],
                            "joint_to_joint": ["map.mode=joint_to_joint"],
-                           "free_offset": ["map.free_offset.limit=0.04"]}.items():
+                           "free_offset": ["map.base_offset.limit=0.04"]}.items():
             sets = [argument for setting in more for argument in ("--set", setting)]
             cls.files[name] = ran(base / name, REFERENCE, base / "one.yaml", *SMALL, *sets)
             cls.addClassCleanup(cls.files[name].close)
@@ -87,7 +87,7 @@ class Runs(CommandCase):
         return np.nanmean(self.plans[name]["mapped/humanlikeness"][:, 0])
 
     def largest_error(self, name):
-        return np.nanmax(self.plans[name]["mapped/position_error"][()])
+        return np.nanmax(self.plans[name]["mapped/tip_error"][()])
 
     def test_every_mode_asks_for_the_same_goals(self):
         goals = self.plans["humanlike"]["goals/tip_position"][()]
@@ -112,7 +112,7 @@ class Runs(CommandCase):
         self.assertIn("finger angles", plan["goals/estimated"].asstr()[()])
         poses = robot.frame_poses(plan["mapped/position"][()])
         group = self.files["joint_to_joint"]["robot"]
-        elbow, wrist = [f for f, chain in zip(group["centres/frame"][()], group["centres/chain"].asstr()[()])
+        elbow, wrist = [f for f, chain in zip(group["joint_centres/frame"][()], group["joint_centres/chain"].asstr()[()])
                         if chain == "arm"]
         shoulder = group.attrs["shoulder_frame"]
         origins = [poses[:, frame, :3, 3] for frame in (shoulder, elbow, wrist)]
@@ -131,13 +131,13 @@ class Runs(CommandCase):
                 at = poses[:, frame] @ robot.tips["transform"][tip][:, 3]
                 error = np.linalg.norm(at[:, :3] - plan["goals/tip_position"][:, tip], axis=1)
                 with self.subTest(name, tip=tip):
-                    self.assertTrue(np.allclose(error, plan["mapped/position_error"][:, tip], atol=1e-9,
+                    self.assertTrue(np.allclose(error, plan["mapped/tip_error"][:, tip], atol=1e-9,
                                                 equal_nan=True))
 
     def test_a_free_offset_moves_the_base_and_says_so(self):
         moved, unmoved = self.plans["free_offset"]["goals"], self.plans["humanlike"]["goals"]
-        self.assertNotIn("free_offset", unmoved.attrs)
-        offset = moved.attrs["free_offset"]
+        self.assertNotIn("base_offset", unmoved.attrs)
+        offset = moved.attrs["base_offset"]
         self.assertLessEqual(np.abs(offset).max(), 0.04)
         self.assertGreater(np.abs(offset).max(), 0)
         # The world, seen from a base elsewhere: one shift for all goals and for the table.
@@ -155,7 +155,7 @@ class Runs(CommandCase):
 
     def test_bad_values_are_refused(self):
         for setting, words in {"map.mode=elbow_only": "'elbow_only'", "map.humanlike_hull=-1": "negative",
-                               "map.free_offset.limit=-1": "negative"}.items():
+                               "map.base_offset.limit=-1": "negative"}.items():
             with self.subTest(setting):
                 result = morphe("run", REFERENCE, "--out", self.folder / "out", "--set", setting)
                 self.assertEqual(result.returncode, 2)
@@ -171,7 +171,7 @@ class HandAlone(CommandCase):
         cls.addClassCleanup(holder.cleanup)
         cls.config = SOURCE / "configs/pipelines/dlr_hit2_keypoints.yaml"
         cls.dataset = SOURCE / "datasets/dex-retargeting/recordings.yaml"
-        cls.sets = (*QUICK, "--set", "map.reachable_starts=1")
+        cls.sets = (*QUICK, "--set", "map.reach_search_starts=1")
         cls.file = ran(Path(holder.name) / "out", cls.config, cls.dataset, *cls.sets)
         cls.addClassCleanup(cls.file.close)
         cls.plan = first_plan(cls.file)
@@ -189,7 +189,7 @@ class HandAlone(CommandCase):
         self.assertEqual(attribute(self.plan, "status"), "approximate")
         self.assertIn("fingertip goals are out of reach", attribute(self.plan, "detail"))
         certificate = self.plan["certificate"].attrs
-        self.assertLessEqual(certificate["position_error_max"], 0.08)
+        self.assertLessEqual(certificate["tip_error_max"], 0.08)
         self.assertGreaterEqual(certificate["clearance"], 0.001)
 
     def test_goals_are_the_recorded_tips_in_the_palms_frame(self):
@@ -205,7 +205,7 @@ class HandAlone(CommandCase):
             self.assertLess(np.median(np.abs(ours - theirs)), 0.008)
         # The wrist stands where the offset has left it.
         wrist = self.plan["goals/wrist_position"][()]
-        self.assertLess(np.abs(wrist + self.plan["goals"].attrs["free_offset"]).max(), 1e-12)
+        self.assertLess(np.abs(wrist + self.plan["goals"].attrs["base_offset"]).max(), 1e-12)
 
     def test_an_arm_finds_no_movement_in_it(self):
         file = ran(self.folder / "out", REFERENCE, self.dataset, *SMALL)
@@ -232,7 +232,7 @@ class GeneratedHands(CommandCase):
         five = self.plan_with(SOURCE / "configs/robots/arm24_hand5.yaml")
         for plan in (four, five):
             self.assertEqual(attribute(plan, "reason"), "")
-            error, reachable = plan["mapped/position_error"][()], plan["goals/reachable"][()] == 1
+            error, reachable = plan["mapped/tip_error"][()], plan["goals/reachable"][()] == 1
             self.assertGreater(reachable.mean(), 0.9)
             self.assertLess(error[reachable].max(), 1e-3)
         a, b = four["goals/tip_position"][()], five["goals/tip_position"][()]

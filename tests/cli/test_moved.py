@@ -12,7 +12,7 @@ from support import (QUICK, RECORDINGS, REFERENCE, CommandCase, json, main, morp
 MANIFEST = """\
 format: vicon-csv
 recordings:
-  - {file: %s/ADL001DR2.csv, static: %s/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
+  - {file: %s/ADL001DR2.csv, static_trial: %s/ADL001_static.csv, upper_arm: 0.274, forearm: 0.254}
 """ % (RECORDINGS, RECORDINGS)
 SHIFT, YAW = np.array([0.05, -0.03, 0.0]), np.radians(15)
 
@@ -40,8 +40,8 @@ def numbers(values):
 class Moved(CommandCase):
     @classmethod
     def setUpClass(cls):
-        cls.paths = [run("still"), run("moved", f"scene.target.moved.position={numbers(SHIFT)}",
-                                       f"scene.target.moved.rpy={numbers([0, 0, YAW])}")]
+        cls.paths = [run("still"), run("moved", f"scene.target.pose_offset.position={numbers(SHIFT)}",
+                                       f"scene.target.pose_offset.rpy={numbers([0, 0, YAW])}")]
         cls.files = [h5py.File(path) for path in cls.paths]
         cls.still, cls.moved = [file["plans/ADL001DR2/000"] for file in cls.files]
 
@@ -52,7 +52,7 @@ class Moved(CommandCase):
 
     def test_it_is_executable_and_says_so(self):
         self.assertEqual(formats.text(self.moved.attrs["status"]), "executable")
-        self.assertIn("transported: cup stands 58 mm from where it stood, turned by 15 degrees",
+        self.assertIn("transported: cup is 58 mm from its recorded position, rotated by 15 degrees",
                       formats.text(self.moved.attrs["detail"]))
         self.assertIn("transported", list(self.moved["goals/estimated"].asstr()))
         self.assertNotIn("transported", list(self.still["goals/estimated"].asstr()))
@@ -71,12 +71,12 @@ class Moved(CommandCase):
         np.testing.assert_allclose(turn, [[c, -s, 0], [s, c, 0], [0, 0, 1]], atol=1e-9)
 
     def test_the_grasp_is_the_demonstrations(self):
-        # Thumb and index have goals: each plan meets its own to `tracking_grasp`.
+        # Thumb and index have goals: each plan meets its own to `tracking_tolerance_grasp`.
         still, moved = [plan["grasp/tips_in_object"][()] for plan in (self.still, self.moved)]
         goals = np.isfinite(self.still["goals/tip_position"][-1, :, 0])
         self.assertEqual(goals.sum(), 2)
         apart = np.linalg.norm(still - moved, axis=1)[goals]
-        self.assertLess(apart.max(), 2 * self.still.attrs["tracking_grasp"])
+        self.assertLess(apart.max(), 2 * self.still.attrs["tracking_tolerance_grasp"])
         # The goals themselves are the same, to rounding.
         for frame in range(-5, 0):
             seen = [(pose := plan["grasp/object_pose"][()])[:3, :3].T
@@ -97,15 +97,15 @@ class Moved(CommandCase):
             np.testing.assert_allclose(*lengths, atol=1e-9)
 
     def test_no_move_gives_the_same_bytes(self):
-        zero = run("zero", "scene.target.moved.position=[0, 0, 0]", "scene.target.moved.rpy=[0, 0, 0]")
+        zero = run("zero", "scene.target.pose_offset.position=[0, 0, 0]", "scene.target.pose_offset.rpy=[0, 0, 0]")
         self.assertEqual(sha256(zero), sha256(self.paths[0]))
 
     def test_it_is_asked_for_one_way_only(self):
         result = morphe("run", REFERENCE, "--dataset", FOLDER / "recordings.yaml", "--out",
-                        self.folder / "both", "--set", "scene.target.placed={position: [0, 0, 0]}",
-                        "--set", "scene.target.moved.position=[0.1, 0, 0]")
+                        self.folder / "both", "--set", "scene.target.pose={position: [0, 0, 0]}",
+                        "--set", "scene.target.pose_offset.position=[0.1, 0, 0]")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("placed: the target is moved already", result.stderr)
+        self.assertIn("pose: not allowed together with pose_offset", result.stderr)
 
 
 if __name__ == "__main__":

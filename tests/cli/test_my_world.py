@@ -44,10 +44,10 @@ class OwnMesh(CommandCase):
     CONFIG = f"""\
 robot: {{{{file: {SOURCE}/configs/robots/pa10.yaml}}}}
 placement: {{{{rotation: [{{{{axis: y, angle: 105 deg}}}}, {{{{axis: z, angle: 90 deg}}}}], shoulder_offset: [0.1, -0.3, 0.3]}}}}
-map: {{{{key_frames: 1, starts: 1, candidates: 1, reachable_starts: 1, coarse_step_s: 0.2}}}}
+map: {{{{key_frames: 1, starts: 1, candidates: 1, reach_search_starts: 1, coarse_step_s: 0.2}}}}
 scene:
   objects:
-    - {{{{name: toolbox, shape: mesh, file: toolbox.stl, {{}}position: {{}}, in_mapping: false}}}}
+    - {{{{name: toolbox, shape: mesh, file: toolbox.stl, {{}}position: {{}}, avoid_in_mapping: false}}}}
 """
 
     @classmethod
@@ -55,7 +55,7 @@ scene:
         holder = temporary_folder()
         cls.addClassCleanup(holder.cleanup)
         synthetic = Path(holder.name) / "synthetic.yaml"
-        synthetic.write_text("movements: {per_recording: [1, 1]}\nglove: {rate_hz: 30}\n")
+        synthetic.write_text("movements: {movements_per_recording: [1, 1]}\nglove: {rate_hz: 30}\n")
         cls.dataset = synthetic.with_name("two.h5")
         made = morphe("synthesize", synthetic, "--out", cls.dataset, "--count", 2)
         assert made.returncode == 0, made.stderr
@@ -77,7 +77,7 @@ scene:
 
     def test_in_millimetres_on_the_table(self):
         """First try: the run says what is missing. Second try: it stands where it should."""
-        placed = "relative_to: table, anchor: foot, rpy: [0, 0, 90 deg], "
+        placed = "relative_to: table, anchor: bottom_centre, rpy: [0, 0, 90 deg], "
         self.refuses(self.run_it(placed, "[0.45, 0.3, 0]"), f"{self.config}:6", "objects[0].file",
                      "toolbox.stl is 100 m long: give scale: 0.001 if its numbers are mm (0.1 m)")
         self.assertFalse(self.plans.exists())
@@ -85,7 +85,7 @@ scene:
         self.assertEqual(second.returncode, 0, second.stderr)
         self.assertNotIn("note: toolbox", second.stdout)
         for plan in self.each_plan():
-            box, table = plan["scene/toolbox"], plan["world/table"][()]
+            box, table = plan["scene/toolbox"], plan["reference_frames/table"][()]
             corners = turned(box["orientation"][0], box["vertices"][()]) + box["position"][0]
             seen = in_frame(table, corners)
             self.assertTrue(np.allclose(seen.min(axis=0), [0.42, 0.25, 0], rtol=0, atol=1e-6))
@@ -95,9 +95,9 @@ scene:
     def world_is_that_of_the_scene(self, printed):
         """table: the box's centre, half its thickness up; shoulder: the goals' without their offset;
         what is printed are medians of these numbers in mm."""
-        rows = {"base of pa10": [], "the person's shoulder": [], "target, its centre": []}
+        rows = {"base of pa10": [], "person's shoulder": [], "centre of the target": []}
         for plan in self.each_plan():
-            world, scene, table = plan["world"], plan["scene"], plan["world/table"][()]
+            world, scene, table = plan["reference_frames"], plan["scene"], plan["reference_frames/table"][()]
             self.assertEqual(text(world["table"].attrs["frame"]), "base")
             self.assertEqual(text(world["shoulder"].attrs["unit"]), "m")
             centre = table[:3, 3] - table[:3, 2] * scene["table"].attrs["size"][2] / 2
@@ -117,11 +117,11 @@ scene:
                             (name, numbers))
 
     def test_what_hangs_over_the_table_or_goes_into_it_is_noted(self):
-        placed = "scale: 0.001, relative_to: table, anchor: foot, "
-        hanging = "note: toolbox hangs 700 mm above the table, with nothing below it; to stand on it: "
+        placed = "scale: 0.001, relative_to: table, anchor: bottom_centre, "
+        hanging = "note: toolbox is 700 mm above the table without support; to place it on the table: "
         self.assertIn(hanging, self.run_it(placed, "[0.45, 0.3, 0.7]").stdout)
         self.assertIn(hanging, self.succeeds("list", self.plans).stdout)
-        self.assertIn("note: toolbox goes 30 mm into the table", self.run_it(placed, "[0.45, 0.3, -0.03]").stdout)
+        self.assertIn("note: toolbox is 30 mm deep in the table", self.run_it(placed, "[0.45, 0.3, -0.03]").stdout)
         self.assertNotIn("note: toolbox", self.run_it(placed, "[2, 0.3, -0.03]").stdout, "beside it")
 
     def test_the_same_bytes_on_any_number_of_threads(self):
@@ -129,7 +129,7 @@ scene:
         for jobs in (1, 2):
             self.assertEqual(self.run_it(placed, "[0.3, 0, 0.2]", "--jobs", jobs, out=f"jobs{jobs}").returncode, 0)
         self.assertEqual(*[sha256(self.folder / f"jobs{jobs}/plans.h5") for jobs in (1, 2)])
-        beside = [in_frame(plan["world/target"][()], plan["scene/toolbox/position"][0])
+        beside = [in_frame(plan["reference_frames/target"][()], plan["scene/toolbox/position"][0])
                   for plan in self.each_plan()]
         self.assertEqual(len(beside), 2)
         self.assertTrue(np.allclose(beside, [0.3, 0, 0.2], rtol=0, atol=1e-9))
@@ -139,9 +139,9 @@ scene:
         result = self.run_it("scale: 0.001, relative_to: target, ", "[0.3, 0, 0]",
                              "--set", "scene.target.infer=false")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("no_frame: toolbox stands relative to the target, and there is none in this", result.stdout)
+        self.assertIn("no_reference_frame: toolbox is placed relative to the target, which does not exist in this", result.stdout)
         for plan in self.each_plan():
-            self.assertEqual(text(plan.attrs["reason"]), "no_frame")
+            self.assertEqual(text(plan.attrs["reason"]), "no_reference_frame")
 
 
 class MeshTarget(MeshCase):
@@ -158,7 +158,7 @@ class MeshTarget(MeshCase):
             plan = file["plans"][PLAN]
             self.assertEqual(text(plan.attrs["target"]), "mug")
             self.assertEqual(text(plan["scene/mug"].attrs["shape"]), "mesh")
-            foot, = in_frame(plan["world/table"][()], plan["scene/mug/position"][0])
+            foot, = in_frame(plan["reference_frames/table"][()], plan["scene/mug/position"][0])
             self.assertLess(abs(foot[2]), 1e-9)
             self.assertIn("grasp", plan)
         self.assertEqual(self.violations(), ([], []))
@@ -172,7 +172,7 @@ class MeshTarget(MeshCase):
             wide[:, :2] *= 1.5
             vertices[...] = wide
         for rows in self.violations():
-            self.assertTrue([row for row in rows if row["cause"] == "object" and row["subject"].endswith("/mug")])
+            self.assertTrue([row for row in rows if row["cause"] == "object_collision" and row["subject"].endswith("/mug")])
 
 
 if __name__ == "__main__":

@@ -52,7 +52,7 @@ def forearm_on_its_way(plans):
     world; when; its radius; and a direction that leads there from beside the robot's arm."""
     with h5py.File(plans) as file:
         robot, plan = Robot(file["robot"]), file["plans"][PLAN]
-        motion, world_from_base = plan["trajectory"], np.linalg.inv(plan["world/recording"][()])
+        motion, world_from_base = plan["trajectory"], np.linalg.inv(plan["reference_frames/recording"][()])
         half = len(motion["time"]) // 2
         poses = robot.frame_poses(motion["position"][half:half + 1])
         k = [text(name) for name in robot.capsule_names].index("forearm_right")
@@ -101,7 +101,7 @@ class OtherArm(CommandCase):
             self.assertEqual(text(plan.attrs["target"]), "cup")
             hand = plan["scene/other hand"]
             np.testing.assert_allclose(hand.attrs["size"], [0.048, BONES[2]], atol=2e-3)
-            found = {text(name) for name in plan["findings/second"]}
+            found = {text(name) for name in plan["findings/other_body"]}
             self.assertTrue({"other hand", "other forearm"} & found, found)
             for name in ("other upper arm", "other forearm", "other hand"):
                 file.copy(plan["scene"][name], planted["plans"][PLAN]["scene"])
@@ -115,14 +115,14 @@ class OtherArm(CommandCase):
         plans = run("nothing", FOLDER / "alone.yaml", "scene.other_arm=true")
         with h5py.File(plans) as file, h5py.File(ALONE) as alone:
             plan = file["plans"][PLAN]
-            self.assertIn("the person's other arm was not recorded: it is no obstacle", text(plan.attrs["detail"]))
+            self.assertIn("the person's other arm was not recorded: it is not an obstacle", text(plan.attrs["detail"]))
             np.testing.assert_array_equal(plan["trajectory/position"], alone["plans"][PLAN]["trajectory/position"])
 
     def test_a_wrong_radius_is_one_line(self):
         result = morphe("run", REFERENCE, "--dataset", FOLDER / "alone.yaml", "--out", self.folder / "out",
                         "--set", "scene.other_arm=true", "--set", "scene.other_arm_radii=[0.05, 0.05]")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("other_arm_radii: needs those of upper arm, forearm and hand", result.stderr)
+        self.assertIn("other_arm_radii: needs three positive radii: of upper arm, forearm and hand", result.stderr)
         self.assertFalse((self.folder / "out").exists())
 
 

@@ -81,7 +81,7 @@ class Report(unittest.TestCase):
         again = self.folder / "again"
         done = morphe("run", PIPELINES / "fr3.yaml", "--out", again, "--jobs", 2, "--report")
         self.assertEqual(done.returncode, 0)
-        self.assertIn("report.html: to be opened in a browser", done.stdout)
+        self.assertIn("report.html: open it in a browser", done.stdout)
         self.assertEqual(sha256(again / "report.html"), sha256(self.runs / "fr3/report.html"))
         self.made(self.post)
         first = sha256(self.page)
@@ -96,7 +96,7 @@ class Report(unittest.TestCase):
         self.assertNotRegex(text, r"<(?:script|img|link|iframe)[^>]*(?:src|href)=")
 
     def test_selection_says_what_it_leaves_out(self):
-        page = self.made(self.fr3, "--failed")
+        page = self.made(self.fr3, "--infeasible")
         self.assertEqual([(row["plan"], row["reason"]) for row in page.rows],
                          [("ADL006DR2/000", "goal_in_collision")])
         self.assertIn("4 of 5 plans", page.report["runs"][0]["left_out"])
@@ -104,7 +104,7 @@ class Report(unittest.TestCase):
         self.assertEqual([row["plan"] for row in page.rows], ["ADL001DR2/000", "ADL001FR1/000", "ADL001AR1/000"])
         page = self.made(self.post, "--worst", 2, "tempo")
         with h5py.File(self.post) as file:
-            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["tempo"] for name in file["plans"]}
+            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"] for name in file["plans"]}
         worst = sorted(tempo, key=tempo.get)[-2:]
         self.assertEqual({row["plan"] for row in page.rows}, set(worst))
 
@@ -145,10 +145,10 @@ class Report(unittest.TestCase):
         broken = self.folder / "broken.h5"
         broken.write_bytes(self.fr3.read_bytes()[:100000])
         self.assertIn("broken.h5", self.refused(broken))
-        self.assertIn("--worst", self.refused(self.fr3, "--worst", "x", "tips"))
+        self.assertIn("--worst", self.refused(self.fr3, "--worst", "x", "tip_error_max"))
         self.assertIn("beauty", self.refused(self.fr3, "--worst", "1", "beauty"))
-        self.assertIn("holds no plans.h5", self.refused(self.folder))
-        self.assertIn("no plan is called", self.refused(self.fr3, "--plans", "nobody*"))
+        self.assertIn("contains no plans.h5", self.refused(self.folder))
+        self.assertIn("no plan has the name", self.refused(self.fr3, "--plans", "nobody*"))
         self.assertIn("--out", morphe("report", self.fr3).stderr)
 
     def test_a_folder_that_is_not_there(self):

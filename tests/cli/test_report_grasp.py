@@ -47,15 +47,15 @@ class ReportGrasp(CommandCase):
             grasp = file["plans"][PLAN]["grasp"]
             self.assertEqual([one["tip"] for one in shown["contacts"]],
                              list(grasp["contacts/tip"].asstr()))
-            for name in ("point", "normal", "gap", "force"):
+            for name in ("point", "normal", "signed_distance", "normal_force"):
                 np.testing.assert_array_equal([one[name] for one in shown["contacts"]],
                                               grasp["contacts"][name][()])
-            self.assertEqual(shown["quality"]["given"], grasp["quality"].attrs["given"])
+            self.assertEqual(shown["quality"]["available_force"], grasp["quality"].attrs["available_force"])
         self.assertIsNone(self.row(page)["physics"])
 
     def test_physics_is_that_of_this_plan_alone(self):
         results = self.physics(self.folder / "physics")
-        page, _ = self.page("--physics", self.folder / "none", "--physics", self.folder / "physics")
+        page, _ = self.page("--simulation", self.folder / "none", "--simulation", self.folder / "physics")
         shown = self.row(page)["physics"]
         self.assertEqual((shown["held"], shown["rollouts"]), (results["held"], 2))
         self.assertEqual(shown["load_directions"], 6)
@@ -64,15 +64,15 @@ class ReportGrasp(CommandCase):
         self.assertEqual(shown["commanded_force_N"], results["rollouts"][0]["commanded_force_N"])
         file = self.folder / "physics/ADL001DR2_000.json"
         file.write_text(json.dumps(results | {"plan_sha256": "0" * 64}))
-        page, printed = self.page("--physics", self.folder / "physics")
+        page, printed = self.page("--simulation", self.folder / "physics")
         self.assertIsNone(self.row(page)["physics"])
-        self.assertIn(f"{PLAN}: what was simulated is another plan, and left out", printed)
+        self.assertIn(f"{PLAN}: skipped: the simulation belongs to another plan", printed)
         for broken in ("{}", "[", json.dumps({"format": 1, "version": 1, "plan_sha256": 2}),
                        json.dumps(results | {"version": 2})):
             file.write_text(broken)
-            done = morphe("report", PLANS, "--out", self.folder / "none.html", "--physics", file.parent)
+            done = morphe("report", PLANS, "--out", self.folder / "none.html", "--simulation", file.parent)
             self.refuses(done, file)
-            self.assertIn("is no result of morphe simulate", done.stderr)
+            self.assertIn("is not a result of morphe simulate", done.stderr)
             self.assertFalse((self.folder / "none.html").exists())
 
     def test_what_lies_beside_the_plans_is_found(self):
@@ -85,7 +85,7 @@ class ReportGrasp(CommandCase):
 
     def test_a_browser_shows_them(self):
         self.physics(self.folder / "physics")
-        self.page("--physics", self.folder / "physics")
+        self.page("--simulation", self.folder / "physics")
         window = browser.open_browser(1280, 900)
         self.addCleanup(window.quit)
         window.get(f"{(self.folder / 'page.html').as_uri()}#{PLAN}/1.4")

@@ -182,7 +182,7 @@ class ReportPage(unittest.TestCase):
     def test_an_infeasible_movement_opens_at_its_worst_instant(self):
         self.open(self.fr3 / "report.html", "#ADL006DR2/000")
         reason = self.text(".reason")
-        for words in ("goal_in_collision", "Worst instant", "What to try"):
+        for words in ("goal_in_collision", "Worst instant", "Suggestions"):
             self.assertIn(words, reason)
         worst = self.time()
         self.at(0)
@@ -215,7 +215,7 @@ class ReportPage(unittest.TestCase):
             for plan, *titles in shown:
                 certificate = file["plans"][plan]["certificate"].attrs
                 said = dict(title.split(" = ") for title in titles if " = " in title)
-                for key in ("clearance", "tempo", "position_error_max", "upper_arm_error_mean", "humanlikeness_final"):
+                for key in ("clearance", "duration_ratio", "tip_error_max", "upper_arm_error_mean", "humanlikeness_final"):
                     self.assertEqual(float(said[key].split()[0]), certificate[key], key)
 
     def test_figures_against_an_estimated_arm_are_marked(self):
@@ -246,7 +246,7 @@ class ReportPage(unittest.TestCase):
         box.clear()
         self.open(self.fr3 / "report.html", "#?sort=-tempo")
         with h5py.File(self.fr3 / "plans.h5") as file:
-            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["tempo"]
+            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"]
                      for name in file["plans"] if file[f"plans/{name}/000"].attrs["status"] == b"executable"}
         slowest = sorted(tempo, key=tempo.get, reverse=True)
         self.assertEqual(self.run_script(f"return {rows}")[:len(slowest)], slowest)
@@ -257,14 +257,14 @@ class ReportPage(unittest.TestCase):
         self.open(both, "#?differences=0~1")
         titles = self.run_script(
             "return [...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map("
-            "r => [r.cells[0].textContent, [...r.cells].map(c => c.title).find(t => t.startsWith('tempo:')), r.textContent])")
+            "r => [r.cells[0].textContent, [...r.cells].map(c => c.title).find(t => t.startsWith('duration_ratio:')), r.textContent])")
         self.assertEqual(len(titles), 5)
         with h5py.File(self.post / "plans.h5") as a, h5py.File(self.fr3 / "plans.h5") as b:
             for plan, tempo, text in titles:
                 if "infeasible" in text:
                     continue
-                values = [float(word) for word in tempo.replace("tempo:", "").split("→")]
-                self.assertEqual(values, [file["plans"][plan]["certificate"].attrs["tempo"] for file in (a, b)])
+                values = [float(word) for word in tempo.replace("duration_ratio:", "").split("→")]
+                self.assertEqual(values, [file["plans"][plan]["certificate"].attrs["duration_ratio"] for file in (a, b)])
         self.open(both, "#0:ADL001DR2/000/1")
         alone = self.picture()
         self.assertEqual(len(self.window.find_elements(By.CSS_SELECTOR, ".scene-legend input")), 2)

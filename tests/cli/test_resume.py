@@ -26,12 +26,12 @@ class Continued(ManyCase):
         lines = [line for line in result.stderr.splitlines()
                  if not line.startswith("[") and not line.startswith(f"{self.out}: ")]
         again = dict(line.split(": ", 1) for line in lines)
-        reused = re.search(r"; (\d+) finished before", result.stdout)
+        reused = re.search(r"; (\d+) reused from an earlier run", result.stdout)
         return again, int(reused.group(1)) if reused else 0
 
     def test_nothing_is_done_twice(self):
         again, reused = self.explained()
-        self.assertEqual((len(again), set(again.values()), reused), (COUNT, {"not done before"}, 0))
+        self.assertEqual((len(again), set(again.values()), reused), (COUNT, {"not planned before"}, 0))
         before = os.stat(self.out / "journal.sqlite").st_size
         self.assertEqual(self.explained(), ({}, COUNT))
         self.same_bytes()
@@ -78,7 +78,7 @@ class Continued(ManyCase):
         with h5py.File(changed, "r+") as file:
             file["demonstrations/synthetic_000005"].attrs["task"] = "another"
         again, reused = self.explained(dataset=changed)
-        self.assertEqual(again, {"synthetic_000005": "its recording changed"})
+        self.assertEqual(again, {"synthetic_000005": "the recording changed"})
         self.assertEqual(reused, COUNT - 1)
         self.run_json(dataset=changed, out=self.folder / "anew")
         self.assertEqual(sha256(self.out / "plans.h5"), sha256(self.folder / "anew/plans.h5"))
@@ -105,7 +105,7 @@ class Continued(ManyCase):
             for group in file["demonstrations"].values():
                 group.attrs["task"] = "another"
         again, _ = self.explained(dataset=copy)
-        self.assertEqual(set(again.values()), {"its recording changed"})
+        self.assertEqual(set(again.values()), {"the recording changed"})
 
     def test_another_robot_of_the_same_name(self):
         robot = self.folder / "pa10.yaml"
@@ -121,9 +121,9 @@ class Continued(ManyCase):
     def test_another_build_does_everything_again(self):
         shutil.copytree(self.plain, self.out)
         with sqlite3.connect(self.out / "journal.sqlite") as journal:
-            journal.execute("UPDATE done SET program = 'another'")
+            journal.execute("UPDATE results SET program = 'another'")
         again, reused = self.explained()
-        self.assertEqual((set(again.values()), reused), ({"morphe was built anew"}, 0))
+        self.assertEqual((set(again.values()), reused), ({"morphe was rebuilt"}, 0))
         self.same_bytes()
 
     def test_fresh_forgets(self):
@@ -172,17 +172,17 @@ class Refused(ManyCase):
     def test_a_folder_of_another_version(self):
         shutil.copytree(self.plain, self.out)
         with sqlite3.connect(self.out / "journal.sqlite") as journal:
-            journal.execute("UPDATE about SET value = 'morphe 0.0.1' WHERE key = 'software'")
+            journal.execute("UPDATE metadata SET value = 'morphe 0.0.1' WHERE key = 'software'")
         self.refuses_unless_fresh("was written by morphe 0.0.1")
 
     def test_a_folder_of_a_shard(self):
         self.run_json("--shard", "1/3")
-        self.refuses_unless_fresh("holds shard 1/3")
+        self.refuses_unless_fresh("contains shard 1/3")
 
     def test_a_journal_that_is_none(self):
         shutil.copytree(self.plain, self.out)
         (self.out / "journal.sqlite").write_text("another file " * 1000)
-        self.refuses_unless_fresh("no journal")
+        self.refuses_unless_fresh("not a journal")
 
     def test_a_plan_whose_bytes_changed(self):
         shutil.copytree(self.plain, self.out)
@@ -227,8 +227,8 @@ class Ended(ManyCase):
                 self.assertEqual((process.returncode, output), (code, ""), errors)
                 last = errors.splitlines()[-1]
                 done = re.fullmatch(rf"{self.out}: stopped by {number.name}: (\d+) of {COUNT} "
-                                    "demonstrations finished and kept; the same command goes on "
-                                    "from here", last)
+                                    "demonstrations finished and kept; run the same command again "
+                                    "to continue", last)
                 self.assertTrue(done, last)
                 self.assertEqual(os.listdir(self.out), ["journal.sqlite"])
                 self.assertEqual(self.run_json()["reused"], int(done.group(1)))

@@ -112,7 +112,7 @@ class Refused(CommandCase):
 
     def test_frames_in_a_loop(self):
         file = self.faulty("parent: arm}", "parent: rim}\n  - {name: rim, parent: flange}")
-        self.robot_refuses(file, f"{file}:{line_of(file, 'parent: rim')}: frames[0].parent", "itself")
+        self.robot_refuses(file, f"{file}:{line_of(file, 'parent: rim')}: frames[0].parent", "its own ancestor")
 
     def test_a_joint_coupled_to_itself(self):
         file = self.faulty("lower: -255 deg.*", "couple: {joint: E2}}")

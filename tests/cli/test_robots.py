@@ -83,7 +83,7 @@ class Robots(CommandCase):
         refused([f"{{name: a, extends: {REFERENCE}, dataset: {both}}}"], 2, "robots[0].dataset", "the same for all")
         refused(["{name: a}"], 2, "robots[0].robot", "is missing")
         config = self.config([entry], dataset=both)
-        self.refuses(morphe("place", config), f"{config}:2", "robots", "has several")
+        self.refuses(morphe("place", config), f"{config}:2", "robots", "lists several robots")
 
 
 if __name__ == "__main__":

@@ -79,11 +79,11 @@ map:
   tip_position: 1000
   starts: 4
   coarse_step_s: 0.1
-  natural:
+  natural_posture:
     - {{joint: middle_abduction}}
-check: {{margin: 0.001}}
+check: {{required_clearance: 0.001}}
 repair: {{attempts: 2}}
-retime: {{limit_share: 0.9}}
+retime: {{limit_scaling: 0.9}}
 approach:
   home:
     - {{joint: S1, value: 0}}
@@ -131,16 +131,16 @@ MISTAKES = {
         ("starts: 4", "strats: 4", "strats"),
         ("starts: 4", "starts: 4.5", "starts"),
         ("coarse_step_s: 0.1", "coarse_step_s: 0", "coarse_step_s"),
-        ("- {joint: middle_abduction}", "- middle_abduction", "natural"),
+        ("- {joint: middle_abduction}", "- middle_abduction", "natural_posture"),
         ("{joint: middle_abduction}", "{joints: middle_abduction}", "joints"),
-        ("margin: 0.001", "margin: .nan", "margin"),
-        ("margin: 0.001", "margins: 0.001", "margins"),
+        ("required_clearance: 0.001", "required_clearance: .nan", "required_clearance"),
+        ("required_clearance: 0.001", "required_clearances: 0.001", "required_clearances"),
         ("attempts: 2", "attempts: -2", "attempts"),
-        ("limit_share: 0.9", "limit_share: 1.5", "limit_share"),
-        ("limit_share: 0.9", "limit_share: 0", "limit_share"),
+        ("limit_scaling: 0.9", "limit_scaling: 1.5", "limit_scaling"),
+        ("limit_scaling: 0.9", "limit_scaling: 0", "limit_scaling"),
         ("home:", "hom:", "hom"),
         ("{joint: S1, value: 0}", "{joint: S1, value: zero}", "value"),
-        ("check: {margin: 0.001}", "check: [0.001]", "check"),
+        ("check: {required_clearance: 0.001}", "check: [0.001]", "check"),
     ]),
     "robot": (ROBOT_TEXT, [
         ("name: pa10\n", "nmae: pa10\n", "nmae"),

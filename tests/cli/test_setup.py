@@ -211,7 +211,7 @@ class Setup(CommandCase):
         urdf = self.folder / "gripper.urdf"
         urdf.write_text(arm(6, extra=extra))
         out, said = self.set_up(urdf)
-        self.assertIn("check: shapes of body in which the pads lie are left out", said)
+        self.assertIn("check: shapes of body that contain the finger pads are skipped", said)
         heights = [float(line.split("to: [")[1].split("]")[0].split(",")[2]) + float(line.split("radius: ")[1].rstrip("}"))
                    for line in out.read_text().splitlines() if "name: body_" in line]
         self.assertTrue(heights)

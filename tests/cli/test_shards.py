@@ -71,25 +71,25 @@ class Shards(ManyCase):
     def test_what_is_wrong_is_listed(self):
         one, two, three = self.run_shards(3)
         self.merge_refuses([one], "missing of 3 shards: 2, 3")
-        self.merge_refuses([one, three, three], f"{three}: shard 3/3 is there twice",
+        self.merge_refuses([one, three, three], f"{three}: shard 3/3 was given twice",
                            "missing of 3 shards: 2")
         self.run_json("--shard", "2/3", "--set", "seed=2", "--fresh", out=two)
-        self.merge_refuses([one, two, three], f"{two}: is of another config: seed 1 -> 2",
+        self.merge_refuses([one, two, three], f"{two}: has another config: seed 1 -> 2",
                            "missing of 3 shards: 2")
         self.run_json("--shard", "2/4", "--fresh", out=two)
-        self.merge_refuses([one, two, three], f"{two}: is shard 2/4 of another division")
+        self.merge_refuses([one, two, three], f"{two}: is shard 2/4, but the run has 3 shards")
         other = self.folder / "other.h5"
         shutil.copy(self.dataset, other)
         with h5py.File(other, "r+") as file:
             file["demonstrations/synthetic_000001"].attrs["task"] = "another"
         self.run_json("--shard", "2/3", "--fresh", out=two, dataset=other)
-        self.merge_refuses([one, two, three], f"{two}: is of another dataset")
+        self.merge_refuses([one, two, three], f"{two}: has another dataset")
         self.run_json("--shard", "2/3", "--fresh", out=two)
         with sqlite3.connect(two / "journal.sqlite") as journal:
-            journal.execute("UPDATE about SET value = '0' WHERE key = 'complete'")
-            journal.execute("DELETE FROM done WHERE name IN (SELECT name FROM wanted LIMIT 2)")
+            journal.execute("UPDATE metadata SET value = '0' WHERE key = 'complete'")
+            journal.execute("DELETE FROM results WHERE name IN (SELECT name FROM scheduled LIMIT 2)")
         self.merge_refuses([one, two, three],
-                           f"{two}: shard 2/3 is not finished: 2 of {COUNT // 3} demonstrations are left")
+                           f"{two}: shard 2/3 is not finished: 2 of {COUNT // 3} demonstrations left")
         self.run_json("--shard", "2/3", out=two)
         self.succeeds("merge", one, two, three, "--out", self.folder / "merged")
         self.same_bytes(self.folder / "merged")
@@ -98,7 +98,7 @@ class Shards(ManyCase):
         empty = self.folder / "empty"
         empty.mkdir()
         self.refuses(morphe("merge", empty, "--out", self.folder / "merged"),
-                     empty / "journal.sqlite", "is missing")
+                     empty / "journal.sqlite", "does not exist")
         self.assertEqual(os.listdir(empty), [])
 
     def test_the_folder_of_a_run_is_not_written_over(self):

@@ -71,7 +71,7 @@ class Simulate(CommandCase):
         # The written trajectory is followed, whatever becomes of the grasp.
         self.assertLess(float(first["arm_error_deg"]), 0.2)
         self.assertLess(float(first["hand_error_deg"]), 1.0)
-        self.assertIn("2 plans simulated, 3 not", PRINTED)
+        self.assertIn("2 plans simulated, 3 skipped", PRINTED)
         self.assertIn("the plan is infeasible: no_path", PRINTED)
 
     def test_the_same_bytes_on_any_number_of_threads_and_after_a_kill(self):

@@ -7,7 +7,7 @@ from support import SOURCE, CommandCase, line_of, main, morphe, sha256
 CONFIGS = sorted((SOURCE / "configs/synthetic").glob("*.yaml"))
 SHORT = """\
 movements:
-  per_recording: [1, 1]
+  movements_per_recording: [1, 1]
   rest_s: [0.3, 0.4]
 sensors:
   calibration_s: 0.2

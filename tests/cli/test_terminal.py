@@ -12,14 +12,14 @@ from terminal import Terminal
 
 # Asked for are 0.2 s and 0.5 s; a busy machine has time.
 AT_ONCE_S = 5
-ANSWER = "finishing what is in hand; again to stop now (what is finished is kept)"
+ANSWER = "finishing the demonstrations in progress; interrupt again to stop now (finished ones are kept)"
 # One movement of this takes minutes.
 LONG = ("--set", "map.starts=4000", "--jobs", 1)
 
 
 def without_speed(results):
     """What a run prints, but for the line that no two runs have alike."""
-    return re.sub(r"^\d+ frames planned, .*\n", "", results, flags=re.M)
+    return re.sub(r"^\d+ frames; .*\n", "", results, flags=re.M)
 
 
 class Stopped(CommandCase):
@@ -107,7 +107,7 @@ class Seen(ManyCase):
         terminal = Terminal(*self.command(self.out), columns=200)
         self.assertEqual(terminal.end()[0], 0)
         self.assertRegex(terminal.seen, rf"\r\x1b\[K\d+ of {COUNT}")
-        printed = morphe(*self.command(self.out)).stdout.replace(f"; {COUNT} finished before", "")
+        printed = morphe(*self.command(self.out)).stdout.replace(f"; {COUNT} reused from an earlier run", "")
         self.assertEqual("\n".join(terminal.lines()), printed)
 
     def test_progress_fits_a_narrow_terminal(self):
@@ -122,10 +122,10 @@ class Seen(ManyCase):
         broken.write_text(self.config.read_text() + "map: {}\n")
         terminal = Terminal("run", broken, "--dataset", self.dataset, "--out", self.out)
         self.assertEqual(terminal.end()[0], 2)
-        self.assertRegex("\n".join(terminal.lines()), rf"^{broken}:\d+: map: the key stands twice\n$")
+        self.assertRegex("\n".join(terminal.lines()), rf"^{broken}:\d+: map: the key appears twice\n$")
         limited = Terminal(*self.command("/dev/full/out"))
         self.assertEqual(limited.end()[0], 2)
-        self.assertEqual("\n".join(limited.lines()), "/dev/full/out: cannot be made a folder\n")
+        self.assertEqual("\n".join(limited.lines()), "/dev/full/out: the folder cannot be created\n")
 
     def test_a_file_and_a_pipe_hold_results_alone(self):
         with open(self.folder / "results.txt", "wb") as file:
@@ -145,8 +145,8 @@ class Seen(ManyCase):
         self.assertEqual(quiet.stderr, "")
         self.assertRegex(quiet.stdout, rf"\A{self.out}/plans.h5: {COUNT} demonstrations, .*\n\Z")
         verbose = self.succeeds(*self.command(self.out, "--fresh", "--verbose"))
-        self.assertEqual(verbose.stderr.count("not done before"), COUNT)
-        self.assertRegex(verbose.stdout, r"\n\d+ frames planned, \d+ for each second of a core; \d+ ms a movement: .*map \d+")
+        self.assertEqual(verbose.stderr.count("not planned before"), COUNT)
+        self.assertRegex(verbose.stdout, r"\n\d+ frames; \d+ frames/s per core; \d+ ms per movement: .*map \d+")
         self.assertEqual(morphe(*self.command(self.out, "--quiet", "--verbose")).returncode, 2)
 
     def test_one_is_no_plural(self):

@@ -29,7 +29,7 @@ class Database(CommandCase):
         self.assertLess(person["end ms"], 50)
         self.assertEqual(person["executable"], 3)
         self.assertIn("ADL001", result.stdout)
-        self.assertNotIn("left out: " + str(database / "ADL001/ADL001_DR2angles.csv") + ": not a recording as",
+        self.assertNotIn("skipped: " + str(database / "ADL001/ADL001_DR2angles.csv") + ": not readable as a recording",
                          result.stderr)
 
     def test_no_such_folder(self):

@@ -172,7 +172,7 @@ class WrittenUrdf(CommandCase):
         self.assertEqual(written.joints["turn"].find("limit").get("effort"), "87.5")
         self.assertEqual(written.joints["turn"].find("dynamics").get("damping"), "0.3")
         self.assertEqual(written.joints["spin"].find("limit").get("effort"), "12")
-        for said in ("inertias: not known of upper, lower, tool", "visuals: not known of lower, tool"):
+        for said in ("inertias: not given for upper, lower, tool", "visuals: not given for lower, tool"):
             self.assertIn(f"out.urdf: {said}\n", self.printed)
             self.assertIn(f"<!-- {said} -->", (self.folder / "elsewhere/out.urdf").read_text())
         self.assertNotIn("efforts", self.printed)
@@ -190,7 +190,7 @@ class WrittenUrdf(CommandCase):
 
     def test_what_nobody_knows_is_said(self):
         self.written(ROBOTS / "pa10.yaml")
-        for said in ("efforts: none is known, 0 stands for it", "inertias: none is known", "visuals: none is known"):
+        for said in ("efforts: not given for any part; written as 0", "inertias: not given for any part", "visuals: not given for any part"):
             self.assertIn(f"out.urdf: {said}\n", self.printed)
         self.assertIn('"robot": "pa10"', self.succeeds("robot", ROBOTS / "pa10.yaml", "--json", "--urdf",
                                                        self.folder / "again.urdf").stdout)

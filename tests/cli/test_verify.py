@@ -139,20 +139,20 @@ class Damages:
 
     def a_plan_out_of_reach_that_is_called_executable(self, file, plan):
         plan["goals/reachable"][...] = 0
-        plan.attrs["tracking"] = plan.attrs["tracking_grasp"] = 10.0  # whatever it allows
+        plan.attrs["tracking_tolerance"] = plan.attrs["tracking_tolerance_grasp"] = 10.0  # whatever it allows
 
         def judge(rows):
             share, = rows
             self.assertEqual((share["value"], share["limit"]), (1, 0.5))
-        return "status", "out_of_reach_share", None, judge
+        return "status", "max_unreachable_share", None, judge
 
     def a_tip_too_far_away_for_what_it_is_called(self, file, plan):
-        plan.attrs["farthest_tip"] = largest = 0.5 * plan["certificate"].attrs["position_error_max"]
+        plan.attrs["max_tip_error"] = largest = 0.5 * plan["certificate"].attrs["tip_error_max"]
 
         def judge(rows):
             tip, = rows
             self.assertAlmostEqual(tip["value"], 2 * largest)
-        return "status", "farthest_tip", None, judge
+        return "status", "max_tip_error", None, judge
 
     def an_executable_plan_that_is_called_approximate(self, file, plan):
         plan.attrs["status"] = np.bytes_("approximate")
@@ -192,12 +192,12 @@ class Damages:
         index = list(file["robot/tips/name"].asstr()).index("index_tip")
         hand = plan["goals/tip_position"][len(plan["goals/time"]) // 2, index]
         plan["scene/table/position"][0] = hand
-        return "object", "/table", None, lambda rows: self.assertLess(min(row["value"] for row in rows), 0)
+        return "object_collision", "/table", None, lambda rows: self.assertLess(min(row["value"] for row in rows), 0)
 
     def the_cup_moved_to_where_the_hand_starts(self, file, plan):
         index = list(file["robot/tips/name"].asstr()).index("index_tip")
         plan["scene/cup/position"][0] = plan["goals/tip_position"][0, index]
-        return "object", "/cup", range(25)  # up to the preshape
+        return "object_collision", "/cup", range(25)  # up to the preshape
 
     def an_object_added_in_the_path(self, file, plan):
         tip = list(file["robot/tips/name"].asstr()).index("index_tip")
@@ -214,7 +214,7 @@ class Damages:
                 data.attrs["frame"] = np.bytes_(of)
         when = plan["goals/time"][frame]
         at = int(np.abs(plan["trajectory/demonstration_time"][()] - when).argmin())
-        return "object", "/ball", None, lambda rows: self.assertTrue(
+        return "object_collision", "/ball", None, lambda rows: self.assertTrue(
             [row for row in rows if abs(row["sample"] - at) <= 5], (at, rows))
 
     def a_goal_moved_by_10_mm_at_the_grasp(self, file, plan):
@@ -223,7 +223,7 @@ class Damages:
         when = plan["trajectory/demonstration_time"][sample]
         frame = int(np.abs(plan["goals/time"][()] - when).argmin())
         plan["goals/tip_position"][frame, names.index("thumb_tip"), 2] += 0.010
-        tolerance = plan.attrs["tracking_grasp"]
+        tolerance = plan.attrs["tracking_tolerance_grasp"]
 
         def judge(rows):
             self.assertTrue([row for row in rows if abs(row["sample"] - sample) <= 5], (sample, rows))

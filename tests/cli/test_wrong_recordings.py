@@ -121,13 +121,13 @@ class WrongRecordings(CommandCase):
         # UmeTrack's joints are computed for the side that is said: they are one's of that side.
         for reader, file in self.each(lambda hand: hand, "hot3d"):
             file = exchanged(reader, file)
-            self.refuses(self.answer(reader, file), file, "left hand: its fingers curl as those of a right")
+            self.refuses(self.answer(reader, file), file, "left hand: its fingers curl like those of a right")
 
     def test_feet_for_metres(self):
         for reader, file in self.each(lambda hand: scaled(hand, 1 / FOOT), "hot3d"):
             asked = self.answer(reader, file)
             self.assertEqual(asked.returncode, 2, asked.stdout)
-            self.assertIn("unit: cannot be right: the right hand would measure 0.327 m", asked.stderr)
+            self.assertIn("unit: implausible: the right hand would measure 0.327 m", asked.stderr)
             self.assertIn("--unit ", asked.stderr.split("to paste:")[1])
 
     def test_feet_for_metres_of_a_world_alone(self):
@@ -139,7 +139,7 @@ class WrongRecordings(CommandCase):
                 pose["wrist_xform"]["t_xyz"] = [x / FOOT for x in pose["wrist_xform"]["t_xyz"]]
         file.write_text("".join(json.dumps(line) + "\n" for line in lines))
         (read,) = self.json_of("inspect", file)["demonstrations"]
-        self.assertTrue(any(s.startswith("no fixed shoulder has every wrist position within")
+        self.assertTrue(any(s.startswith("no fixed shoulder position has all wrist positions within")
                             for s in read["problems"]), read["problems"])
 
     def test_another_axis_is_up(self):
@@ -155,7 +155,7 @@ class WrongRecordings(CommandCase):
             return "".join(json.dumps(line) + "\n" for line in lines)
         said = self.answer("avp-jsonl", edited(file, with_head))
         self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertRegex(said.stdout, r"the hands are 0\.\d\d m above the head in the median: another axis may")
+        self.assertRegex(said.stdout, r"the median height of the hands above the head is 0\.\d\d m; another axis may")
 
     def test_a_frame_that_moves(self):
         """Objects that nobody touches move with it."""
@@ -163,11 +163,11 @@ class WrongRecordings(CommandCase):
         for reader, file in self.each(in_a_moving_frame):
             said = self.answer(reader, file)
             self.assertEqual(said.returncode, 0, said.stderr)
-            said_of[reader] = re.findall(r"object handle moves by 0\.\d\d m before a hand has come near", said.stdout)
+            said_of[reader] = re.findall(r"object handle moves by 0\.\d\d m before a hand comes near", said.stdout)
         with_objects = {"clip-npz", "optitrack-csv", "hot3d"}
         self.assertEqual({reader for reader, said in said_of.items() if said}, with_objects)
         for reader, file in self.each(lambda hand: hand):
-            self.assertNotIn("before a hand has come near", self.answer(reader, file).stdout)
+            self.assertNotIn("before a hand comes near", self.answer(reader, file).stdout)
 
     def test_half_of_the_frames_missing(self):
         hidden = np.arange(len(self.hand.time)) % 2 == 1
@@ -209,7 +209,7 @@ class WrongRecordings(CommandCase):
         for reader, file in self.each(lambda hand: hand, "mvnx", "manus-csv"):
             said = self.answer(reader, edited(file, hide[reader]))
             self.assertEqual(said.returncode, 0, said.stderr)
-            seen = int(re.search(r"the right hand was seen in (\d+) of 284 frames", said.stdout)[1])
+            seen = int(re.search(r"the right hand is visible in (\d+) of 284 frames", said.stdout)[1])
             self.assertTrue(130 <= seen <= 142, seen)
 
     def test_times_that_run_back(self):
@@ -223,12 +223,12 @@ class WrongRecordings(CommandCase):
         for reader, file in self.each(back, "mvnx", "avp-npz", "egodex-hdf5"):
             refused = self.answer(reader, file)
             self.assertEqual(refused.returncode, 2, refused.stdout)
-            self.assertRegex(refused.stderr, rf"^{re.escape(str(file))}(:\d+)?: .*does not follow the ")
+            self.assertRegex(refused.stderr, rf"^{re.escape(str(file))}(:\d+)?: .*must be greater than ")
             self.assertEqual(refused.stderr.count("\n"), 1)
         file = edited(tracked_hands.write_mvnx(self.hand, self.folder),
                       lambda text: text.replace('index="100"', 'index="99"'))
         self.refuses(self.answer("mvnx", file), f"{file}:{line_with(file, 'index=' + chr(34) + '99', 2)}",
-                     "frame.index", "does not follow")
+                     "frame.index", "must be greater")
 
     def test_two_people(self):
         file = tracked_hands.write_mvnx(self.hand, self.folder)
@@ -237,7 +237,7 @@ class WrongRecordings(CommandCase):
         file.write_text(text.replace(subject, subject + subject.replace('"P1"', '"P2"')))
         said = self.answer("mvnx", file)
         self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertIn("the file holds 2 people: the first, P1, is taken", said.stdout)
+        self.assertIn("the file has 2 people; the first, P1, is used", said.stdout)
 
 
 def line_with(file, needle, count):

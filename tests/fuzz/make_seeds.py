@@ -96,7 +96,7 @@ def texts():
         yield "yaml", Path(name).stem, (SOURCE / name).read_bytes()
     yield "yaml", "aliases", b"a: &a {b: 1, c: [x, 177 deg, .inf]}\nd: *a\n'e f': |\n  text\n"
     yield "set", "value", b"map.starts=4"
-    yield "set", "list", b"map.natural=[{joint: a, value: 10 deg}]"
+    yield "set", "list", b"map.natural_posture=[{joint: a, value: 10 deg}]"
     for name in ("pa10", "arm21", "dlr_hit2"):
         yield "robot", name, (SOURCE / f"configs/robots/{name}.yaml").read_bytes()
     yield "urdf", "panda", (DATA / "motionbenchmaker/panda_spherized.urdf").read_bytes()[:MOST_BYTES]
@@ -145,12 +145,12 @@ def stores():
         file = Path(folder) / "d.h5"
         with h5py.File(file, "w") as h5:
             h5.attrs["format"] = "morphe-demonstrations"
-            h5.attrs["version"] = np.int32(1)
+            h5.attrs["version"] = np.int32(2)
             h5.create_group("demonstrations/a")
         yield "demonstrations", "empty", file.read_bytes()
         with h5py.File(file, "w") as h5:
             h5.attrs["format"] = "morphe-plans"
-            h5.attrs["version"] = np.int32(1)
+            h5.attrs["version"] = np.int32(2)
             h5.create_group("plans")
             h5.create_group("robot/frames")["parent"] = np.arange(3)
         yield "plans", "empty", file.read_bytes()

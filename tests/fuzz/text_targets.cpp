@@ -2,7 +2,7 @@
 #include "core/collision/stl_file.hpp"
 #include "core/config/node.hpp"
 #include "core/motion/input_error.hpp"
-#include "core/moveit/problem.hpp"
+#include "core/moveit/planning_scene.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/urdf_model.hpp"
 #include "stages/import/folders/manifest.hpp"

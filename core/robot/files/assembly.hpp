@@ -129,7 +129,7 @@ void read_generated(Assembly& assembly, const MountPoint& base, const config::Co
 /// replace it.
 void remove_parent_wrist_tip(Assembly& assembly, const MountPoint& place);
 
-/// Adds a file's capsules. Names may end in `*` in allowed_pairs and may_touch_target.
+/// Adds a file's capsules. Names may end in `*` in allowed_collision_pairs and may_touch_target.
 void read_collision(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node);
 /// Allows collisions between the capsules of two frames, among those of the file.
 void allow_frames(RobotModel& table, std::size_t first_capsule, int one, int other);

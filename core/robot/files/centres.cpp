@@ -45,7 +45,7 @@ void derive_centres(Assembly& assembly) {
   std::vector<RobotModel::JointCentre> centres;
   for (const Chain& chain : assembly.chains) {
     const auto before = centres.size();
-    std::ranges::copy_if(table.centres, std::back_inserter(centres),
+    std::ranges::copy_if(table.joint_centres, std::back_inserter(centres),
                          [&](const RobotModel::JointCentre& c) { return c.chain == chain.name; });
     if (centres.size() > before) continue;
     if (chain.arm) {
@@ -57,7 +57,7 @@ void derive_centres(Assembly& assembly) {
       if (!joints.empty()) centres.push_back({joints.front(), chain.name});
     }
   }
-  table.centres = std::move(centres);
+  table.joint_centres = std::move(centres);
 }
 
 }  // namespace morphe::robot

@@ -29,21 +29,22 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
   RobotModel::Tip tip;
   tip.name = scope.prefix + node["name"].text();
   tip.frame = place.frame;
-  if (tip.frame < 0) node[key].fail("a tip must move with a frame");
+  if (tip.frame < 0) node[key].fail("a tip must be attached to a frame that moves");
   tip.transform = place.frame_from_mount * read_optional_mount(node);
   if (node.has("pad_depth")) {
     tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
   }
-  if (node.has("along")) {
-    tip.along = node["along"].number();
-    if (tip.along < 0 || tip.along > 1) node["along"].fail("must be from 0 (index) to 1 (little)");
-    tip.finger = 1 + static_cast<int>(std::lround(3 * tip.along));
+  if (node.has("finger_curve_share")) {
+    tip.finger_curve_share = node["finger_curve_share"].number();
+    if (tip.finger_curve_share < 0 || tip.finger_curve_share > 1)
+      node["finger_curve_share"].fail("must be from 0 (index) to 1 (little)");
+    tip.finger = 1 + static_cast<int>(std::lround(3 * tip.finger_curve_share));
   } else {
     tip.finger = read_finger(node["finger"]);
   }
   for (const RobotModel::Tip& other : assembly.table.tips) {
     if (other.name == tip.name)
-      node["name"].fail(fmt::format("a tip '{}' exists already", tip.name));
+      node["name"].fail(fmt::format("a tip '{}' already exists", tip.name));
   }
   assembly.table.tips.push_back(std::move(tip));
 }
@@ -93,7 +94,7 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
     if (std::ranges::any_of(fixed, same)) continue;
     (void)find_mount_point(assembly, scope, parent);
   }
-  if (!fixed.empty()) fixed.front()["parent"].fail("hangs on itself, by way of other frames");
+  if (!fixed.empty()) fixed.front()["parent"].fail("is a loop: the frame is its own ancestor");
 }
 
 void read_centres(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
@@ -110,7 +111,7 @@ void read_centres(Assembly& assembly, const FileScope& scope, const config::Conf
     (void)find_mount_point(assembly, scope, frame);
     const int index = find_frame(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
-    assembly.table.centres.push_back({index, meant->arm ? "arm" : meant->name});
+    assembly.table.joint_centres.push_back({index, meant->arm ? "arm" : meant->name});
   }
 }
 
@@ -137,11 +138,11 @@ void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config:
       if (joint == names.end())
         node["joint"].fail(fmt::format("there is no actuated joint '{}'", name));
       const auto j = static_cast<std::size_t>(joint - names.begin());
-      const double at = node.has("at") ? node["at"].number() : 0;
-      if (at < assembly.lower[j] || at > assembly.upper[j])
-        node[node.has("at") ? "at" : "joint"].fail(fmt::format(
-            "{} is outside its limits, {} to {}", at, assembly.lower[j], assembly.upper[j]));
-      assembly.fixed_joints.push_back({*joint, at});
+      const double position = node.has("position") ? node["position"].number() : 0;
+      if (position < assembly.lower[j] || position > assembly.upper[j])
+        node[node.has("position") ? "position" : "joint"].fail(fmt::format(
+            "{} is outside its limits, {} to {}", position, assembly.lower[j], assembly.upper[j]));
+      assembly.fixed_joints.push_back({*joint, position});
     });
   }
 }
@@ -171,7 +172,7 @@ void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   remove_parent_wrist_tip(assembly, place);
   if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
   const config::ConfigNode file = node["file"];
-  if (assembly.files.size() > 32) file.fail("more than 32 files: does one name itself?");
+  if (assembly.files.size() > 32) file.fail("more than 32 files; does a file include itself?");
   const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
   const FileScope part = read_description(config::ConfigNode::load(node.folder() / file.text()),
                                           place, scope.prefix + prefix, assembly);
@@ -193,7 +194,7 @@ FileScope read_description(const config::ConfigNode& root, const MountPoint& bas
   if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
   read_chains_and_frames(assembly, scope, root);
   assembly.problems.throw_if_any();  // further errors would only be consequences
-  if (root.has("hold")) read_fixed_joints(assembly, scope, root["hold"]);
+  if (root.has("fixed_joints")) read_fixed_joints(assembly, scope, root["fixed_joints"]);
   attempt([&] { read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder); });
   attempt([&] { read_frame_name(assembly, scope, root, "palm", assembly.palm); });
   if (root.has("tips")) {
@@ -205,8 +206,9 @@ FileScope read_description(const config::ConfigNode& root, const MountPoint& bas
     if (side) assembly.table.side = *side;
     if (!side) attempt([&] { root["side"].fail("must be left or right"); });
   }
-  if (root.has("natural")) read_natural_posture(assembly, scope, root["natural"]);
-  if (root.has("centres")) attempt([&] { read_centres(assembly, scope, root["centres"]); });
+  if (root.has("natural_posture")) read_natural_posture(assembly, scope, root["natural_posture"]);
+  if (root.has("joint_centres"))
+    attempt([&] { read_centres(assembly, scope, root["joint_centres"]); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
   if (assembly.problems.none()) root.require_all_keys_read();
   if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
@@ -220,8 +222,9 @@ RobotDescription build_description(const config::ConfigNode& root) {
   problems.attempt([&] { read_description(root, MountPoint{}, "", assembly); });
   problems.throw_if_any();
   if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
-    problems.add(fmt::format("{}:1: palm: is missing, and there is no chain 'arm' to end in it",
-                             file.string()));
+    problems.add(
+        fmt::format("{}:1: palm: is missing, and there is no chain 'arm' whose end could be used",
+                    file.string()));
   }
   if (assembly.table.tips.empty())
     problems.add(fmt::format("{}:1: tips: are missing", file.string()));

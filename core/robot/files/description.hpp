@@ -30,7 +30,7 @@ struct RobotDescription {
   std::vector<std::filesystem::path> files;  ///< all files that were read, the main one first
   /// "FILE:LINE: …": parts of the description that were ignored.
   std::vector<std::string> notes;
-  std::vector<NaturalJoint> natural;  ///< default of a config's `map.natural`
+  std::vector<NaturalJoint> natural;  ///< default of a config's `map.natural_posture`
   std::map<std::string, int> links;   ///< links of its URDFs and their frames
   std::vector<UrdfSource> urdfs;
 };

@@ -66,7 +66,7 @@ void finalize_robot(Assembly& assembly) {
   for (auto& [file, links] : assembly.meshes) {
     links.erase(std::unique(links.begin(), links.end()), links.end());
     assembly.notes.push_back(
-        fmt::format("{}: meshes of {} are left out; `morphe robot setup` makes capsules of them",
+        fmt::format("{}: meshes of {} are ignored; `morphe robot setup` fits capsules to them",
                     file, fmt::join(links, ", ")));
   }
   for (const auto& [one, other] : assembly.allowed_frames) allow_frames(table, 0, one, other);

@@ -18,7 +18,7 @@ bool moves_a_tip(const RobotModel& table, int joint) {
 
 void fix(RobotModel::Frame& frame, double at) {
   const double value = frame.ratio * at + frame.offset;
-  if (frame.slides) {
+  if (frame.prismatic) {
     frame.transform.translate(value * frame.axis);
   } else {
     frame.transform.rotate(Eigen::AngleAxisd(value, frame.axis));
@@ -27,7 +27,7 @@ void fix(RobotModel::Frame& frame, double at) {
   frame.ratio = 1;
   frame.offset = 0;
   frame.axis = Vec3::UnitZ();
-  frame.slides = false;
+  frame.prismatic = false;
 }
 
 /// Removes a joint from every list; the indices of later joints decrease by one.
@@ -71,7 +71,7 @@ void fix_joints(Assembly& assembly) {
   }
   if (idle.empty()) return;
   assembly.notes.push_back(
-      fmt::format("joints that move no tip are held: {}", fmt::join(idle, ", ")));
+      fmt::format("joints that move no fingertip are fixed: {}", fmt::join(idle, ", ")));
 }
 
 }  // namespace morphe::robot

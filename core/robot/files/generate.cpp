@@ -90,7 +90,7 @@ int add_capsule(Assembly& assembly, const std::string& name, const MountPoint& p
 /// Allows a collision of capsules that meet although more than one joint connects them.
 void allow_capsule_pair(Assembly& assembly, int one, int other) {
   if (one < 0 || other < 0) return;
-  assembly.table.allowed_pairs.push_back({std::min(one, other), std::max(one, other)});
+  assembly.table.allowed_collision_pairs.push_back({std::min(one, other), std::max(one, other)});
 }
 
 /// Interpolates the finger at `share` between index (0) and little (1) from its neighbours.

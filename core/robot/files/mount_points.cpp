@@ -68,7 +68,7 @@ int add_frame(Assembly& assembly, const FileScope& scope, const config::ConfigNo
               RobotModel::Frame frame) {
   frame.name = scope.prefix + name.text();
   if (has_frame_or_chain(assembly, frame.name)) {
-    name.fail(fmt::format("a frame or chain '{}' exists already", frame.name));
+    name.fail(fmt::format("a frame or chain '{}' already exists", frame.name));
   }
   assembly.table.frames.push_back(std::move(frame));
   return static_cast<int>(assembly.table.frames.size()) - 1;

@@ -36,7 +36,7 @@ void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
   auto found = std::ranges::find(table.joint_names, prefixed(scope, driver));
   if (found == table.joint_names.end()) found = std::ranges::find(table.joint_names, driver.text());
   if (found == table.joint_names.end()) {
-    if (driver.text() == joint) driver.fail("couples the joint to itself");
+    if (driver.text() == joint) driver.fail("is the joint itself; name another joint");
     driver.fail(fmt::format("there is no actuated joint '{}' before this one", driver.text()));
   }
   frame.joint = static_cast<int>(found - table.joint_names.begin());
@@ -86,7 +86,7 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
                 const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
   if (has_frame_or_chain(assembly, prefixed(scope, name))) {
-    name.fail(fmt::format("a frame or chain '{}' exists already", prefixed(scope, name)));
+    name.fail(fmt::format("a frame or chain '{}' already exists", prefixed(scope, name)));
   }
   if (node.has("convention")) convention = read_convention(node["convention"]);
   Chain chain{
@@ -98,8 +98,8 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
     RobotModel::Frame frame;
     frame.parent = chain.end.frame;
     frame.transform = chain.end.frame_from_mount * link.before;
-    frame.slides = read_slides(row);
-    if (frame.slides) {
+    frame.prismatic = read_slides(row);
+    if (frame.prismatic) {
       frame.transform.rotate(Eigen::AngleAxisd(dh.theta, Vec3::UnitZ()));
     } else {
       frame.offset = dh.theta;
@@ -113,7 +113,7 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
     chain.end = {add_frame(assembly, scope, row["name"], frame), link.after};
     if (coupled) read_coupled_limit(row, chain.end.frame, assembly.table);
     chain.frames.push_back(chain.end.frame);
-    if (dh.d == 0 && !frame.slides) chain.hinges.push_back(chain.end.frame);
+    if (dh.d == 0 && !frame.prismatic) chain.hinges.push_back(chain.end.frame);
   }
   if (chain.frames.empty()) node["joints"].fail("must not be empty");
   assembly.chains.push_back(std::move(chain));

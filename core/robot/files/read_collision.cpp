@@ -31,7 +31,7 @@ void read_capsule(Assembly& assembly, const FileScope& scope, const config::Conf
   capsule.name = scope.prefix + node["name"].text();
   const auto same = [&](const RobotModel::Capsule& c) { return c.name == capsule.name; };
   if (std::ranges::any_of(assembly.table.capsules, same)) {
-    node["name"].fail(fmt::format("a capsule '{}' exists already", capsule.name));
+    node["name"].fail(fmt::format("a capsule '{}' already exists", capsule.name));
   }
   capsule.frame = place.frame;
   capsule.from = place.frame_from_mount * node["from"].vec3();
@@ -48,7 +48,7 @@ int parent_moving_frame(const RobotModel& table, int body) {
 
 void allow(RobotModel& table, int first, int second) {
   if (first != second)
-    table.allowed_pairs.push_back({std::min(first, second), std::max(first, second)});
+    table.allowed_collision_pairs.push_back({std::min(first, second), std::max(first, second)});
 }
 
 }  // namespace
@@ -76,8 +76,8 @@ void read_collision(Assembly& assembly, const FileScope& scope, const config::Co
       });
     }
   }
-  if (node.has("allowed_pairs")) {
-    for (const config::ConfigNode& pair : node["allowed_pairs"].items()) {
+  if (node.has("allowed_collision_pairs")) {
+    for (const config::ConfigNode& pair : node["allowed_collision_pairs"].items()) {
       assembly.problems.attempt([&] {
         const std::vector<config::ConfigNode> names = pair.items();
         if (names.size() != 2) pair.fail("must be a list of two capsule names");
@@ -120,9 +120,10 @@ void allow_neighbours(RobotModel& table) {
       }
     }
   }
-  std::ranges::sort(table.allowed_pairs);
-  table.allowed_pairs.erase(std::unique(table.allowed_pairs.begin(), table.allowed_pairs.end()),
-                            table.allowed_pairs.end());
+  std::ranges::sort(table.allowed_collision_pairs);
+  table.allowed_collision_pairs.erase(
+      std::unique(table.allowed_collision_pairs.begin(), table.allowed_collision_pairs.end()),
+      table.allowed_collision_pairs.end());
 }
 
 }  // namespace morphe::robot

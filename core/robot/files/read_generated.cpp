@@ -16,14 +16,14 @@ void read_numbers(const config::ConfigNode& node,
 void expect_free(const Assembly& assembly, const config::ConfigNode& node,
                  std::initializer_list<const char*> names) {
   for (const char* name : names) {
-    if (has_frame_or_chain(assembly, name)) node.fail("there is one already");
+    if (has_frame_or_chain(assembly, name)) node.fail("already exists");
   }
 }
 
 }  // namespace
 
 void read_generated(Assembly& assembly, const MountPoint& base, const config::ConfigNode& node) {
-  if (node.has("arm") == node.has("hand")) node.fail("must hold either arm or hand");
+  if (node.has("arm") == node.has("hand")) node.fail("must have either arm or hand");
   std::string wrong;
   if (node.has("arm")) {
     const config::ConfigNode arm = node["arm"];

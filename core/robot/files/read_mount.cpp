@@ -12,7 +12,7 @@ constexpr double kOrthonormalTolerance = 1e-4;  ///< for published matrices and 
 Eigen::Matrix3d rotation_from(const Eigen::Matrix3d& rounded, const config::ConfigNode& node) {
   const Eigen::Matrix3d error = rounded.transpose() * rounded - Eigen::Matrix3d::Identity();
   if (error.cwiseAbs().maxCoeff() > kOrthonormalTolerance || rounded.determinant() < 0) {
-    node.fail("must be a rotation");
+    node.fail("must be a rotation matrix");
   }
   return Quat(rounded).normalized().toRotationMatrix();
 }
@@ -40,7 +40,7 @@ void read_matrix(const config::ConfigNode& node, Pose& pose) {
 Pose read_mount(const config::ConfigNode& node) {
   Pose pose = Pose::Identity();
   const int rotations = node.has("rpy") + node.has("quaternion") + node.has("matrix");
-  if (rotations > 1) node.fail("has more than one of rpy, quaternion and matrix");
+  if (rotations > 1) node.fail("must have only one of rpy, quaternion and matrix");
   if (node.has("rpy")) {
     const Vec3 angles = node["rpy"].vec3();
     pose.linear() = (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) *
@@ -59,7 +59,8 @@ Pose read_mount(const config::ConfigNode& node) {
     read_matrix(node["matrix"], pose);
   }
   if (node.has("position")) {
-    if (!pose.translation().isZero(0)) node["position"].fail("stands in the matrix already");
+    if (!pose.translation().isZero(0))
+      node["position"].fail("is already given by the matrix; remove one");
     pose.translation() = node["position"].vec3();
   }
   return pose;

@@ -18,7 +18,7 @@ class QuietConsole : console_bridge::OutputHandler {
  public:
   QuietConsole() { console_bridge::useOutputHandler(this); }
   ~QuietConsole() override { console_bridge::restorePreviousOutputHandler(); }
-  std::string first = "is no URDF";
+  std::string first = "is not a URDF";
 
  private:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
@@ -115,7 +115,7 @@ struct Reader {
           entry["joint"].fail(
               fmt::format("there is no joint '{}' that moves", entry["joint"].text()));
         }
-        if (!own.emplace(joint->name, entry).second) entry["joint"].fail("stands twice");
+        if (!own.emplace(joint->name, entry).second) entry["joint"].fail("appears twice");
       });
     }
   }
@@ -125,8 +125,8 @@ struct Reader {
     if (value && *value > 0 && std::isfinite(*value)) return *value;
     if (value && *value < 0) fail(joint, fmt::format(".{}", key).c_str(), "must be above 0");
     node.fail(
-        fmt::format("joint '{}' needs a{} {} above 0: in the URDF, for all joints (urdf.{}) "
-                    "or in urdf.limits",
+        fmt::format("joint '{}' needs a{} {} above 0: give it in the URDF, for all joints in "
+                    "urdf.{} or for this one in urdf.limits",
                     joint.name, *key == 'a' ? "n" : "", key, key));
   }
 
@@ -136,7 +136,8 @@ struct Reader {
     const auto lower = limit_value(joint, "lower", turns_round ? -round : joint.lower);
     const auto upper = limit_value(joint, "upper", turns_round ? round : joint.upper);
     if (!lower || !upper) {
-      fail(joint, ".limit", "is missing; `lower` and `upper` may stand in urdf.limits");
+      fail(joint, ".limit",
+           "is missing; add it to the URDF or give `lower` and `upper` in urdf.limits");
     }
     if (*lower > *upper) own.at(joint.name)["upper"].fail("must be above lower");
     const double velocity = positive(joint, "velocity", joint.velocity);
@@ -144,7 +145,7 @@ struct Reader {
     const double jerk = positive(joint, "jerk", std::nullopt);
     const std::string name = scope.prefix + joint.name;
     if (std::ranges::count(assembly.table.joint_names, name) > 0) {
-      fail(joint, "", fmt::format("a joint '{}' exists already: give this part a `prefix`", name));
+      fail(joint, "", fmt::format("a joint '{}' already exists; give this part a `prefix`", name));
     }
     if (*lower == *upper) assembly.fixed_joints.push_back({name, *lower});
     read_braking(joint);
@@ -163,12 +164,12 @@ struct Reader {
     const config::ConfigNode braking = entry->second["braking"];
     RobotModel::BrakingCurve curve;
     curve.joint = static_cast<int>(assembly.table.joints());
-    curve.slope = braking["slope"].number();
-    curve.drop = braking["drop"].number();
+    curve.twice_deceleration = braking["twice_deceleration"].number();
+    curve.velocity_offset = braking["velocity_offset"].number();
     curve.lower_end = braking["lower_end"].number();
     curve.upper_end = braking["upper_end"].number();
-    if (!(curve.slope > 0)) braking["slope"].fail("must be above 0");
-    if (!(curve.drop >= 0)) braking["drop"].fail("must not be negative");
+    if (!(curve.twice_deceleration > 0)) braking["twice_deceleration"].fail("must be above 0");
+    if (!(curve.velocity_offset >= 0)) braking["velocity_offset"].fail("must not be negative");
     assembly.table.braking_curves.push_back(curve);
   }
 
@@ -178,11 +179,11 @@ struct Reader {
     const UrdfJoint* at = &joint;
     for (std::size_t steps = 0; !is_actuated(*at); ++steps) {
       const urdf::Joint& urdf = urdf_joint(*at);
-      if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself");
+      if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself (mimic loop)");
       const UrdfJoint* next = urdf.mimic ? find(urdf.mimic->joint_name) : nullptr;
       if (!next || next->kind == JointKind::fixed) {
         fail(joint, ".mimic",
-             fmt::format("there is no joint '{}' to copy", urdf.mimic->joint_name));
+             fmt::format("there is no joint '{}' to mimic", urdf.mimic->joint_name));
       }
       frame.offset += frame.ratio * urdf.mimic->offset;
       frame.ratio *= urdf.mimic->multiplier;
@@ -199,8 +200,8 @@ struct Reader {
     RobotModel::CoupledLimit limit;
     limit.frame = frame;
     const auto entry = own.find(joint.name);
-    const bool enforced =
-        entry == own.end() || !entry->second.has("enforce") || entry->second["enforce"].boolean();
+    const bool enforced = entry == own.end() || !entry->second.has("enforce_position_limits") ||
+                          entry->second["enforce_position_limits"].boolean();
     if (enforced) {
       limit.lower = limit_value(joint, "lower", joint.lower).value_or(limit.lower);
       limit.upper = limit_value(joint, "upper", joint.upper).value_or(limit.upper);
@@ -223,7 +224,7 @@ struct Reader {
     const std::string other = scope.prefix + (fixed ? joint.name : joint.child);
     if (!scope.links.contains(name) && !find(name)) {
       fail(joint, "",
-           fmt::format("a frame or chain '{}' exists already: give this part a `prefix`", name));
+           fmt::format("a frame or chain '{}' already exists; give this part a `prefix`", name));
     }
     if (!has_frame_or_chain(assembly, other)) return other;
     return name + (fixed ? "_link" : "_joint");
@@ -237,7 +238,7 @@ struct Reader {
     frame.transform = pose_of(urdf.parent_to_joint_origin_transform);
     if (joint.kind != JointKind::fixed) {
       frame.axis = Vec3(urdf.axis.x, urdf.axis.y, urdf.axis.z).normalized();
-      frame.slides = joint.kind == JointKind::prismatic;
+      frame.prismatic = joint.kind == JointKind::prismatic;
       resolve_mimic(joint, frame);
     }
     assembly.table.frames.push_back(std::move(frame));
@@ -255,7 +256,7 @@ struct Reader {
     if (taken) frame.name += "_link";
     if (has_frame_or_chain(assembly, frame.name)) {
       text.fail(text.root(), "robot",
-                fmt::format("a frame '{}' exists already: give this part a `prefix`", frame.name));
+                fmt::format("a frame '{}' already exists; give this part a `prefix`", frame.name));
     }
     assembly.table.frames.push_back(std::move(frame));
     return static_cast<int>(assembly.table.frames.size()) - 1;

@@ -28,7 +28,7 @@ SchemaKey convention_key() {
 
 SchemaKey parent_key() {
   return {"parent", scalar_schema(),
-          "a frame, a chain (its end) or base; if absent the file's own base"};
+          "a frame, a chain (its end) or base; default: the base of this file"};
 }
 
 SchemaKey mount_key() {
@@ -38,13 +38,13 @@ SchemaKey mount_key() {
                          {"quaternion", list_schema(number_schema(), 4), "w, x, y, z"},
                          {"matrix", list_schema(list_schema(number_schema())),
                           "3 rows of 3 numbers, or 4 of 4"}}),
-          "where it stands from its parent: position and one of rpy, quaternion and matrix"};
+          "pose in its parent: position and one of rpy, quaternion and matrix"};
 }
 
 /// Returns the keys of limits. They are alternatives to other keys, so they are not required.
 std::vector<SchemaKey> limit_keys() {
-  return {{"lower", number_schema(), "[rad], [m] of one that slides"},
-          {"upper", number_schema(), "[rad], [m] of one that slides"},
+  return {{"lower", number_schema(), "[rad], [m] if prismatic"},
+          {"upper", number_schema(), "[rad], [m] if prismatic"},
           {"velocity", positive_schema(), "[rad/s]"},
           {"acceleration", positive_schema(), "[rad/s^2]"},
           {"jerk", positive_schema(), "[rad/s^3]"}};
@@ -52,44 +52,43 @@ std::vector<SchemaKey> limit_keys() {
 
 Schema joint_schema() {
   std::vector<SchemaKey> keys = {
-      {"name", scalar_schema(), "of the joint and the frame after it", true},
-      {"type", enum_schema({"revolute", "prismatic"}), "prismatic slides along z"},
-      {"theta", number_schema(), "offset of a turning joint [rad]", true},
+      {"name", scalar_schema(), "name of the joint and of the frame after it", true},
+      {"type", enum_schema({"revolute", "prismatic"}), "prismatic joints move along z"},
+      {"theta", number_schema(), "offset of a revolute joint [rad]", true},
       {"d", number_schema(), "along z [m]", true},
       {"a", number_schema(), "along x [m]", true},
       {"alpha", number_schema(), "about x [rad]", true},
       {"couple",
-       object_schema({{"joint", scalar_schema(), "an earlier one that is driven", true},
-                      {"ratio", number_schema(), "turns by so much for each of the other's"},
-                      {"offset", number_schema(), "where it stands when the other is at 0 [rad]"}}),
-       "it is moved by another joint, in place of limits of its own"}};
+       object_schema({{"joint", scalar_schema(), "an earlier actuated joint", true},
+                      {"ratio", number_schema(), "angle per angle of the other joint"},
+                      {"offset", number_schema(), "angle when the other joint is at 0 [rad]"}}),
+       "coupling to another joint, in place of own limits"}};
   for (const SchemaKey& key : limit_keys()) keys.push_back(key);
   return object_schema(keys);
 }
 
 Schema chain_schema() {
-  return object_schema(
-      {{"name", scalar_schema(), "the chain called arm is the arm", true},
-       parent_key(),
-       mount_key(),
-       convention_key(),
-       {"joints", list_schema(joint_schema()), "base to tip"},
-       {"first", scalar_schema(), "of a chain of the URDF: its first joint or link"},
-       {"last", scalar_schema(), "of a chain of the URDF: its last joint or link"}});
+  return object_schema({{"name", scalar_schema(), "the chain called arm is the arm", true},
+                        parent_key(),
+                        mount_key(),
+                        convention_key(),
+                        {"joints", list_schema(joint_schema()), "base to tip"},
+                        {"first", scalar_schema(), "first joint or link of a chain of the URDF"},
+                        {"last", scalar_schema(), "last joint or link of a chain of the URDF"}});
 }
 
 std::vector<SchemaKey> made_up_limits() {
   return {{"velocity", positive_schema(), "[rad/s]"},
           {"acceleration", positive_schema(), "[rad/s^2]"},
           {"jerk", positive_schema(), "[rad/s^3]"},
-          {"radius", number_schema(), "of a capsule along each link [m]; 0: none"}};
+          {"radius", number_schema(), "radius of a capsule along each link [m]; 0: none"}};
 }
 
 Schema generate_schema() {
   std::vector<SchemaKey> arm = {
       {"joints", integer_schema(), "6 to 60", true},
       {"length", positive_schema(), "from shoulder to wrist [m]", true},
-      {"limit", positive_schema(), "each joint turns this far both ways [rad]"}};
+      {"limit", positive_schema(), "limit of each joint in both directions [rad]"}};
   std::vector<SchemaKey> hand = {
       {"fingers", integer_schema(), "3 to 12, the thumb included", true},
       {"length", positive_schema(), "from the wrist to the middle fingertip [m]", true},
@@ -98,29 +97,29 @@ Schema generate_schema() {
     arm.push_back(key);
     hand.push_back(key);
   }
-  return object_schema({{"arm", object_schema(arm), "of n joints, as in the paper"},
-                        {"hand", object_schema(hand), "of m fingers"}});
+  return object_schema({{"arm", object_schema(arm), "an arm of n joints, as in the paper"},
+                        {"hand", object_schema(hand), "a hand of m fingers"}});
 }
 
 Schema urdf_schema() {
   std::vector<SchemaKey> limits = limit_keys();
-  limits.insert(limits.begin(), {"joint", scalar_schema(), "of the URDF", true});
+  limits.insert(limits.begin(), {"joint", scalar_schema(), "joint of the URDF", true});
   limits.push_back({"braking",
-                    object_schema({{"slope", number_schema(), "[1/s]", true},
-                                   {"drop", number_schema(), "[rad/s]", true},
+                    object_schema({{"twice_deceleration", number_schema(), "[rad/s^2]", true},
+                                   {"velocity_offset", number_schema(), "[rad/s]", true},
                                    {"lower_end", number_schema(), "[rad]", true},
                                    {"upper_end", number_schema(), "[rad]", true}}),
-                    "a velocity limit that falls towards the ends"});
-  limits.push_back(
-      {"enforce", boolean_schema(), "false: a coupled joint's position limits are not"});
+                    "a velocity limit that decreases towards the position limits"});
+  limits.push_back({"enforce_position_limits", boolean_schema(),
+                    "false: ignore the position limits of a coupled joint"});
   return object_schema(
       {{"file", scalar_schema(), "relative to this file", true},
-       {"srdf", scalar_schema(), "whose disabled collisions are taken"},
-       {"shapes", enum_schema({"use", "ignore"}), "of its collision elements"},
-       {"velocity", positive_schema(), "where the file has none [rad/s]"},
-       {"acceleration", positive_schema(), "where the file has none [rad/s^2]"},
-       {"jerk", positive_schema(), "where the file has none [rad/s^3]"},
-       {"limits", list_schema(object_schema(limits)), "they win over the file's"}});
+       {"srdf", scalar_schema(), "SRDF whose disabled collisions are used"},
+       {"shapes", enum_schema({"use", "ignore"}), "whether to use its collision elements"},
+       {"velocity", positive_schema(), "used where the URDF gives none [rad/s]"},
+       {"acceleration", positive_schema(), "used where the URDF gives none [rad/s^2]"},
+       {"jerk", positive_schema(), "used where the URDF gives none [rad/s^3]"},
+       {"limits", list_schema(object_schema(limits)), "they override those of the URDF"}});
 }
 
 Schema collision_schema() {
@@ -133,8 +132,9 @@ Schema collision_schema() {
                                    {"to", vector_schema(), "in its frame [m]", true},
                                    {"radius", positive_schema(), "[m]", true}})),
         "the robot's body"},
-       {"allowed_links", pairs, "links or frames of which no capsules collide"},
-       {"allowed_pairs", pairs, "capsules that never collide; a * at the end stands for any"},
+       {"allowed_links", pairs, "pairs of links or frames whose collisions are not checked"},
+       {"allowed_collision_pairs", pairs,
+        "pairs of capsules whose collisions are not checked; a * at the end matches any ending"},
        {"may_touch_target", list_schema(scalar_schema()), "capsules that may touch the target"}});
 }
 
@@ -147,11 +147,11 @@ Schema finger_schema() {
 Schema tip_schema() {
   return object_schema(
       {{"name", scalar_schema(), "", true},
-       {"chain", scalar_schema(), "it stands at this chain's end"},
+       {"chain", scalar_schema(), "the chain at whose end the tip is"},
        {"frame", scalar_schema(), "in place of a chain"},
        mount_key(),
-       {"finger", finger_schema(), "the human's that it follows"},
-       {"along", number_schema(), "in place of finger: 0 (index) to 1 (little)"},
+       {"finger", finger_schema(), "human finger that it follows"},
+       {"finger_curve_share", number_schema(), "in place of finger: 0 (index) to 1 (little)"},
        {"pad_depth", number_schema(), "from the pad's surface to the finger's axis [m]"}});
 }
 
@@ -167,35 +167,35 @@ Schema robot_schema() {
                            {"generate", generate_schema(), "in place of a file"},
                            parent_key(),
                            mount_key(),
-                           {"prefix", scalar_schema(), "goes before all names of the part"}})),
-        "other descriptions that it is made of"},
-       {"generate", generate_schema(), "an arm or a hand by rule"},
-       {"urdf", urdf_schema(), "where links and joints come from"},
+                           {"prefix", scalar_schema(), "put before all names of the part"}})),
+        "other descriptions that this robot consists of"},
+       {"generate", generate_schema(), "an arm or a hand generated from a few sizes"},
+       {"urdf", urdf_schema(), "URDF that gives links and joints"},
        {"chains", list_schema(chain_schema()), "rows of joints, base to tip"},
        {"frames",
         list_schema(
             object_schema({{"name", scalar_schema(), "", true}, parent_key(), mount_key()})),
         "fixed frames"},
-       {"hold",
+       {"fixed_joints",
         list_schema(object_schema({{"joint", scalar_schema(), "", true},
-                                   {"at", number_schema(), "[rad], [m] of one that slides"}})),
-        "joints that stand still"},
-       {"shoulder", scalar_schema(), "frame; the arm's first joint if absent"},
+                                   {"position", number_schema(), "[rad], [m] if prismatic"}})),
+        "joints fixed at a position"},
+       {"shoulder", scalar_schema(), "frame; default: the arm's first joint"},
        {"palm", scalar_schema(),
         "frame that carries the hand: z to the fingers, x out of the palm, y to a right thumb"},
        {"tips", list_schema(tip_schema()), "fingertips: z along the last bone, x out of the pad"},
-       {"side", enum_schema({"right", "left"}), "of the hand"},
-       {"natural",
-        list_schema(
-            object_schema({{"joint", scalar_schema(), "one that no goal asks anything of", true},
-                           {"follow", scalar_schema(), "a joint whose value it takes"},
-                           {"value", number_schema(), "or so much, or so much more [rad]"}})),
-        "the natural posture, where a config names none"},
-       {"centres",
+       {"side", enum_schema({"right", "left"}), "side of the hand"},
+       {"natural_posture",
+        list_schema(object_schema(
+            {{"joint", scalar_schema(), "a joint that no goal determines", true},
+             {"follow", scalar_schema(), "a joint whose value it copies"},
+             {"value", number_schema(), "value, or offset to the joint in follow [rad]"}})),
+        "natural posture, unless a config gives one"},
+       {"joint_centres",
         list_schema(object_schema(
             {{"chain", scalar_schema(), "", true}, {"frame", scalar_schema(), "", true}})),
         "replace the derived joint centres of that chain"},
-       {"collision", collision_schema(), "capsules and what of them may touch"}});
+       {"collision", collision_schema(), "capsules and which of them may touch"}});
 }
 
 }  // namespace morphe::robot

@@ -25,16 +25,18 @@ void tighten_position_limits(Assembly& assembly, int joint, const Bounds& bounds
   const double upper = std::min(before.upper, bounds.upper);
   const std::string& name = assembly.table.joint_names[j];
   if (!(lower <= upper)) {
-    return assembly.problems.add(fmt::format(
-        "{}: joint {}: {} leaves it no position within [{:.4g}, {:.4g}]; `urdf.limits: [{{joint, "
-        "enforce: false}}]` leaves limits of coupled positions out",
-        assembly.files.front().string(), name, by, before.lower, before.upper));
+    return assembly.problems.add(
+        fmt::format("{}: joint {}: {} excludes every position within its limits [{:.4g}, {:.4g}]; "
+                    "`urdf.limits: [{{joint, enforce_position_limits: false}}]` ignores position "
+                    "limits of coupled joints",
+                    assembly.files.front().string(), name, by, before.lower, before.upper));
   }
   assembly.lower[j] = lower;
   assembly.upper[j] = upper;
   if (std::max(lower - before.lower, before.upper - upper) <= kReportTolerance) return;
-  assembly.notes.push_back(fmt::format("joint {}: {} leaves [{:.4g}, {:.4g}] of [{:.4g}, {:.4g}]",
-                                       name, by, lower, upper, before.lower, before.upper));
+  assembly.notes.push_back(
+      fmt::format("joint {}: {} reduces its limits to [{:.4g}, {:.4g}] from [{:.4g}, {:.4g}]", name,
+                  by, lower, upper, before.lower, before.upper));
 }
 
 void tighten_rate_limit(Assembly& assembly, double most, std::vector<double>& values, int joint,
@@ -43,7 +45,7 @@ void tighten_rate_limit(Assembly& assembly, double most, std::vector<double>& va
   if (most >= value) return;
   if (most < value * (1 - kReportTolerance)) {
     assembly.notes.push_back(fmt::format(
-        "joint {}: {} leaves a {} of {:.4g} of {:.4g}",
+        "joint {}: {} reduces its {} limit to {:.4g} from {:.4g}",
         assembly.table.joint_names[static_cast<std::size_t>(joint)], by, what, most, value));
   }
   value = most;
@@ -66,7 +68,8 @@ void tighten_by_coupling(Assembly& assembly, const RobotModel::CoupledLimit& lim
 void tighten_by_braking(Assembly& assembly, const RobotModel::BrakingCurve& curve) {
   const double left =
       kMinEndVelocityRatio * assembly.velocity[static_cast<std::size_t>(curve.joint)];
-  const double way = (left + curve.drop) * (left + curve.drop) / curve.slope;
+  const double way =
+      (left + curve.velocity_offset) * (left + curve.velocity_offset) / curve.twice_deceleration;
   tighten_position_limits(assembly, curve.joint, {curve.lower_end + way, curve.upper_end - way},
                           "its braking curve");
 }

@@ -25,7 +25,7 @@ std::vector<int> hinges_of(const RobotModel& table, const std::vector<int>& fram
     const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
       return (pose(other).translation() - here).norm() > kCoincidentTolerance_m;
     });
-    if (f.joint < 0 || f.slides || next == frames.end()) continue;
+    if (f.joint < 0 || f.prismatic || next == frames.end()) continue;
     const Vec3 way = (pose(*next).translation() - here).normalized();
     if (axis.cross(way).norm() > kParallelSine) hinges.push_back(*frame);
   }
@@ -38,7 +38,7 @@ void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::C
   const config::ConfigNode name = node["name"];
   Chain chain{scope.prefix + name.text(), name.text() == "arm", {}, {}, {}};
   if (has_frame_or_chain(assembly, chain.name)) {
-    name.fail(fmt::format("a frame or chain '{}' exists already", chain.name));
+    name.fail(fmt::format("a frame or chain '{}' already exists", chain.name));
   }
   const auto end = [&](const char* key) {
     const std::string joint = scope.prefix + node[key].text();
@@ -48,7 +48,8 @@ void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::C
     return frame;
   };
   const int first = end("first"), last = end("last");
-  if (!is_in_subtree(assembly.table, last, first)) node["last"].fail("does not hang on first");
+  if (!is_in_subtree(assembly.table, last, first))
+    node["last"].fail("must be a descendant of first");
   for (int frame = last;; frame = assembly.table.frames[static_cast<std::size_t>(frame)].parent) {
     chain.frames.push_back(frame);
     if (frame == first) break;

@@ -93,12 +93,13 @@ struct Source {
   }
 };
 
-/// Returns "inertias: none is known", "inertias: not known of a, b", or "" if all are known.
+/// Returns "inertias: not given for any part", "inertias: not given for a, b", or "" if all are
+/// known.
 std::string missing_sentence(const char* what, const std::vector<std::string>& of, std::size_t all,
                              const char* then) {
   if (of.empty()) return "";
-  return of.size() == all ? fmt::format("{}: none is known{}", what, then)
-                          : fmt::format("{}: not known of {}{}", what, fmt::join(of, ", "), then);
+  return of.size() == all ? fmt::format("{}: not given for any part{}", what, then)
+                          : fmt::format("{}: not given for {}{}", what, fmt::join(of, ", "), then);
 }
 
 }  // namespace
@@ -137,7 +138,7 @@ std::vector<std::string> missing_details(const RobotModel& robot,
     if (!known.has_visual) no_looks.push_back(name);
   }
   std::vector<std::string> sentences;
-  for (std::string sentence : {missing_sentence("efforts", no_effort, joints, ", 0 stands for it"),
+  for (std::string sentence : {missing_sentence("efforts", no_effort, joints, "; written as 0"),
                                missing_sentence("inertias", no_mass, links, ""),
                                missing_sentence("visuals", no_looks, links, "")}) {
     if (!sentence.empty()) sentences.push_back(std::move(sentence));

@@ -77,7 +77,7 @@ void read_kind(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
   if (type == "prismatic") joint.kind = JointKind::prismatic;
   if (joint.kind != JointKind::fixed) return read_limits(urdf, joint);
   if (type == "planar" || type == "floating") {
-    tree.notes.push_back(fmt::format("{}:{}: joint {} is {}: held where it is", urdf.file.string(),
+    tree.notes.push_back(fmt::format("{}:{}: joint {} is {}; assumed fixed", urdf.file.string(),
                                      joint.element->GetLineNum(), joint.name, type));
   } else if (type != "fixed") {
     urdf.fail(*joint.element, key_of(joint, ".type"),
@@ -93,7 +93,7 @@ std::map<std::string, const files::XmlElement*> elements_by_name(const files::Xm
     problems.attempt([&] {
       const std::string name = urdf.attribute(*element, "name");
       if (!found.emplace(name, element).second) {
-        urdf.fail(*element, fmt::format("{} {}", tag, name), "stands twice");
+        urdf.fail(*element, fmt::format("{} {}", tag, name), "appears twice");
       }
       check_numbers(urdf, *element, fmt::format("{} {}", tag, name));
     });
@@ -119,8 +119,9 @@ UrdfJoint read_joint(const files::XmlText& urdf, const files::XmlElement& elemen
   joint.parent = link("parent");
   joint.child = link("child");
   if (const auto [above, first] = joint_above.emplace(joint.child, joint.name); !first) {
-    urdf.fail(element, key_of(joint, ".child"),
-              fmt::format("link '{}' hangs on joint '{}' already", joint.child, above->second));
+    urdf.fail(
+        element, key_of(joint, ".child"),
+        fmt::format("link '{}' is already the child of joint '{}'", joint.child, above->second));
   }
   read_kind(urdf, joint, tree);
   return joint;
@@ -147,7 +148,8 @@ std::vector<UrdfJoint> parents_first(const files::XmlText& urdf, std::vector<Urd
   std::size_t first = joints.size();
   for (const auto& [parent, joint] : below) first = std::min(first, joint);
   if (first < joints.size()) {
-    urdf.fail(*joints[first].element, key_of(joints[first], ""), "is part of a loop");
+    urdf.fail(*joints[first].element, key_of(joints[first], ""),
+              "is part of a closed loop of joints");
   }
   return order;
 }
@@ -165,7 +167,7 @@ void refuse_xacro(const files::XmlText& urdf) {
   const auto look = [&](const auto& self, const files::XmlElement& element) -> void {
     if (is_xacro(element)) {
       urdf.fail(element, element.Value(),
-                "is xacro, which a URDF is made from: `xacro FILE.xacro > FILE.urdf`");
+                "is a xacro file; convert it first: `xacro FILE.xacro > FILE.urdf`");
     }
     for (const auto* child = element.FirstChildElement(); child;
          child = child->NextSiblingElement()) {
@@ -183,7 +185,7 @@ std::string find_root_link(const files::XmlText& urdf,
     if (joint_above.contains(name)) continue;
     if (!root.empty()) {
       urdf.fail(*link, "link " + name,
-                fmt::format("hangs on nothing, as '{}' does: there can be one root", root));
+                fmt::format("is a second root besides '{}'; a URDF must have one root link", root));
     }
     root = name;
   }
@@ -211,7 +213,7 @@ UrdfTree urdf_tree(const files::XmlText& urdf) {
   const std::size_t count = files::children(urdf.root(), "link").size();
   if (count > kMaxLinkCount) {
     urdf.fail(urdf.root(), "robot",
-              fmt::format("has {} links; up to {} are read", count, kMaxLinkCount));
+              fmt::format("has {} links; at most {} are allowed", count, kMaxLinkCount));
   }
   config::ErrorList problems;
   const auto links = elements_by_name(urdf, "link", problems);

@@ -124,7 +124,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
     }
     for (std::size_t i = before; i < shapes.capsules.size(); ++i) {
       shapes.capsules[i].name = prefix + (collision.name.empty() ? link.name : collision.name);
-      if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no extent");
+      if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no size: must be above 0");
     }
   }
   shapes.drop_hidden_spheres();
@@ -146,7 +146,7 @@ void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem
       const auto found = scope.links.find(scope.prefix + link);
       if (found == scope.links.end()) {
         known = false;
-        assembly.notes.push_back(fmt::format("{}:{}: there is no link '{}': the pair is left out",
+        assembly.notes.push_back(fmt::format("{}:{}: there is no link '{}'; pair ignored",
                                              file.string(), pair->GetLineNum(), link));
       } else {
         frames[static_cast<std::size_t>(k)] = found->second;

@@ -160,7 +160,7 @@ struct Writer {
     double lower = robot.lower[k], upper = robot.upper[k];
     const std::size_t driver = driver_of(frame.joint);
     if (driver == f) {
-      if (frame.slides) {
+      if (frame.prismatic) {
         pose = pose * Eigen::Translation3d(frame.offset * frame.axis);
       } else {
         pose = pose * Eigen::AngleAxisd(frame.offset, frame.axis);
@@ -177,9 +177,9 @@ struct Writer {
     const double round = 2 * std::numbers::pi;
     const bool endless = known.continuous && lower == -round && upper == round;
     text += joint(names[f],
-                  frame.slides ? "prismatic"
-                  : endless    ? "continuous"
-                               : "revolute",
+                  frame.prismatic ? "prismatic"
+                  : endless       ? "continuous"
+                                  : "revolute",
                   parent_of(frame.parent), pose, more + known.dynamics);
   }
 

@@ -58,7 +58,7 @@ function differenceColumn(measure, partner) {
     (partner[row] < 0 ? NaN : shownValue(measure, rows[partner[row]]) - shownValue(measure, rows[row]));
   return {
     id: measure.id, title: `Δ ${measure.short}`, unit: measure.unit, number: true, width: 5.4,
-    hint: `${measure.title}: the second run's less the first's`,
+    hint: `${measure.title}: second run minus first run`,
     key: difference,
     fill: (cell, row) => {
       const value = difference(row);
@@ -72,7 +72,7 @@ function differenceColumn(measure, partner) {
 // Items are indices into rows of the run before.
 export function differenceColumns(partner) {
   const statusOf = (row) => {
-    const other = partner[row] < 0 ? "not there" : rows[partner[row]].status;
+    const other = partner[row] < 0 ? "missing" : rows[partner[row]].status;
     return rows[row].status === other ? other : `${rows[row].status} → ${other}`;
   };
   return [

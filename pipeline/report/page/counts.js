@@ -37,7 +37,7 @@ export function buildCounts() {
       build("div", { class: "counts" }, build("span", { class: "count-all" }, build("b", {}, String(rows.length)), " plans"),
           ...statuses.map(({ button }) => button)));
   if (reasons.length > 0) {
-    section.append(build("div", { class: "counts reasons" }, build("span", { class: "muted" }, "because of"),
+    section.append(build("div", { class: "counts reasons" }, build("span", { class: "muted" }, "reasons"),
         ...reasons.map(({ button }) => button)));
   }
   if (report.runs.length > 1) section.append(runsTable());

@@ -25,7 +25,7 @@ export function createContactMarks(contacts, material) {
 }
 
 const millimetres = (metres, digits) => (metres === null ? "–" : `${(1e3 * metres).toFixed(digits)}`.replace("-", "−"));
-const newtonsText = (value) => (value === null || value === undefined ? "none is enough" : `${figureText(value)} N`);
+const newtonsText = (value) => (value === null || value === undefined ? "no force suffices" : `${figureText(value)} N`);
 
 // null of a plan without contacts that was not simulated.
 export function graspSection(grasp, physics) {
@@ -38,50 +38,50 @@ const figureList = (entries) => build("dl", { class: "figures" }, ...entries.map
 
 // How the palm came, in the target's frame.
 const approachOf = (direction) => (direction?.every((x) => x !== null)
-    ? [["came along, in the target's frame", direction.map((x) => x.toFixed(2).replace("-", "−")).join(", ")]] : []);
+    ? [["approach direction (target frame)", direction.map((x) => x.toFixed(2).replace("-", "−")).join(", ")]] : []);
 
-function contactParts({ contacts, quality, squeeze, approach_direction }) {
-  const head = ["contact", "link", "from", "gap mm", "off its pad °", "force N", "sure"];
-  const cells = (one) => [one.link, one.origin, millimetres(one.gap, 2), figureText(one.pad_angle * kDegreesARadian),
-                          figureText(one.force), one.confidence.toFixed(2)];
+function contactParts({ contacts, quality, grasp_force, approach_direction }) {
+  const head = ["contact", "link", "origin", "gap mm", "pad angle °", "force N", "confidence"];
+  const cells = (one) => [one.link, one.origin, millimetres(one.signed_distance, 2), figureText(one.pad_angle * kDegreesARadian),
+                          figureText(one.normal_force), one.confidence.toFixed(2)];
   const table = build("table", { class: "contacts" },
       build("thead", {}, build("tr", {}, ...head.map((name) => build("th", { scope: "col" }, name)))),
       build("tbody", {}, ...contacts.map((one) => build("tr", {},
           build("th", { scope: "row" }, plainText(one.tip)),
           ...cells(one).map((text, k) => build("td", { class: k < 2 ? null : "number" }, plainText(text)))))));
   const known = quality.epsilon_lower !== null;
-  const judged = !known ? build("p", {}, "Fewer than two contacts touch: the grasp's quality is not known.")
+  const judged = !known ? build("p", {}, "Fewer than two contacts touch: the grasp quality is unknown.")
       : figureList([
-        ["ε of Ferrari and Canny (bounds)",
+        ["Ferrari-Canny ε (bounds)",
          `${figureText(quality.epsilon_lower)} … ${figureText(quality.epsilon_upper)}`],
-        ["needed a finger, worst direction", newtonsText(quality.needed_worst)],
-        ["needed a finger, as it stands", newtonsText(quality.needed_down)],
-        ["can be given", newtonsText(quality.given)],
+        ["required force per finger, worst direction", newtonsText(quality.required_force_worst)],
+        ["required force per finger, gravity only", newtonsText(quality.required_force_gravity)],
+        ["available force per finger", newtonsText(quality.available_force)],
         ["friction, torsion, mass",
-         `${figureText(quality.friction)}, ${millimetres(quality.torsion, 1)} mm, ${figureText(quality.mass)} kg`],
-        ["squeeze", squeeze ? "beside the trajectory" : "none balances"], ...approachOf(approach_direction)]);
+         `${figureText(quality.friction_coefficient)}, ${millimetres(quality.torsional_friction, 1)} mm, ${figureText(quality.mass)} kg`],
+        ["grasp force", grasp_force ? "stored with the trajectory" : "no force balances the load"], ...approachOf(approach_direction)]);
   return [build("h3", {}, "Grasp"), table, judged];
 }
 
 function physicsParts(physics) {
-  const title = build("h3", {}, `In physics (${plainText(physics.engine)})`);
+  const title = build("h3", {}, `Physics simulation (${plainText(physics.engine)})`);
   if (physics.skip_reason !== "none")
     return [title, build("p", {}, `Not simulated: ${plainText(physics.skip_reason)}: ${plainText(physics.detail)}`)];
   const causes = (failures) => Object.entries(failures).map(([name, count]) => `${plainText(name)} ${count}`).join(", ");
-  const six = physics.load_directions > 0 ? [["held in six directions",
+  const six = physics.load_directions > 0 ? [["held under load in six directions",
     `${physics.load_directions_held} of ${physics.load_directions}${physics.load_directions_held < physics.load_directions
         ? ` (${causes(physics.direction_failures)})` : ""}`]] : [];
   return [title, figureList([
-    ["held after lift and 5 s", `${physics.held} of ${counted(physics.rollouts, "rollout")}`],
-    ["failed by", causes(physics.failures) || "none"],
+    ["held 5 s after the lift", `${physics.held} of ${counted(physics.rollouts, "rollout")}`],
+    ["failures", causes(physics.failures) || "none"],
     ...six,
     ["droop, slip, drift (medians of held)",
      `${millimetres(physics.droop_m, 2)}, ${millimetres(physics.slip_m, 2)}, ${millimetres(physics.drift_m, 3)} mm`],
-    ["from the trajectory, arm and hand",
+    ["tracking error, arm and hand",
      `${figureText(physics.arm_error)}°, ${figureText(physics.hand_error)}°`],
-    ["largest torque, of limit", `${(100 * physics.torque_ratio).toFixed(0)} %`],
-    ["required to lift, commanded", `${newtonsText(physics.required_force_N)}, ${newtonsText(physics.commanded_force_N)}`],
+    ["largest torque (share of limit)", `${(100 * physics.torque_ratio).toFixed(0)} %`],
+    ["force required to lift, commanded", `${newtonsText(physics.required_force_N)}, ${newtonsText(physics.commanded_force_N)}`],
     ["friction, torsion, mass",
      `${figureText(physics.friction)}, ${millimetres(physics.torsional_friction_m, 1)} mm, ${figureText(physics.mass_kg)} kg`],
-    ["squeeze", physics.contact_source === "planned" ? "the plan's" : "of fingers with goals, where they are nearest"]])];
+    ["grasp force", physics.contact_source === "planned" ? "from the plan" : "at the nearest points of the fingers with goals"]])];
 }

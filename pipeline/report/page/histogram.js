@@ -139,7 +139,7 @@ function followKeys(svg, measure, count, showCursor) {
 }
 
 function missingWords({ missing }) {
-  return missing === 0 ? "all have a value" : `${missing.toLocaleString("en")} without a value`;
+  return missing === 0 ? "all plans have a value" : `${missing.toLocaleString("en")} without a value`;
 }
 
 function buildCard(measure, binning, figure) {
@@ -169,7 +169,7 @@ export function buildHistogram(measure) {
     "aria-label": `${measure.title}: bars, enter selects, shift and arrow keys widen`,
     "aria-multiselectable": "true",
   }, mark, ...bins.map(({ option }) => option), buildAxis(measure, binning), cursor,
-  buildSvg("text", { class: "most", x: kLeft, y: 10, "aria-hidden": "true" }, `${most} plans at most`));
+  buildSvg("text", { class: "most", x: kLeft, y: 10, "aria-hidden": "true" }, `max ${most} plans`));
   const { card, range, clear } = buildCard(measure, binning, svg);
   bins.forEach((bin, k) => bin.all.forEach((bar, run) => raise(bar, all[k * kRuns + run], most)));
   followPointer(svg, measure, binning.count);

@@ -19,12 +19,12 @@ export function forward(robot, q) {
   poses[-1] = new THREE.Matrix4(); // the base
   const moved = new THREE.Matrix4();
   const constants = prepared(robot);
-  robot.frames.forEach(({ parent, joint, ratio, offset, slides }, index) => {
+  robot.frames.forEach(({ parent, joint, ratio, offset, prismatic }, index) => {
     const { fixed, axis } = constants[index];
     const pose = new THREE.Matrix4().copy(fixed);
     if (joint >= 0) {
       const value = ratio * q[joint] + offset;
-      if (slides) moved.makeTranslation(axis.x * value, axis.y * value, axis.z * value);
+      if (prismatic) moved.makeTranslation(axis.x * value, axis.y * value, axis.z * value);
       else moved.makeRotationAxis(axis, value);
       pose.multiply(moved);
     }

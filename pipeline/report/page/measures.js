@@ -14,7 +14,7 @@ function certifiedMeasure(id, attribute, short, title, unit, siUnit, factor, ofT
 
 // Of plans that were simulated alone.
 const heldMeasure = {
-  id: "held", short: "Held", title: "Rollouts in physics in which the grasp held", unit: "%",
+  id: "held", short: "Held", title: "Simulated rollouts in which the grasp held", unit: "%",
   siUnit: "", factor: 100, source: "physics.held / physics.rollouts", missing: "not simulated",
   of: ({ physics }) => (physics && physics.rollouts > 0 ? physics.held / physics.rollouts : null),
 };
@@ -25,20 +25,20 @@ export const measures = [
     id: "duration", short: "Duration", title: "Duration of the trajectory", unit: "s", siUnit: "s",
     factor: 1, source: "duration_s", of: (row) => row.duration_s, missing: "no trajectory",
   },
-  certifiedMeasure("tempo", "tempo", "Tempo", "Duration over the person's", "", "", 1),
-  certifiedMeasure("tips_mean", "position_error_mean", "Tips mean",
+  certifiedMeasure("tempo", "duration_ratio", "Duration ratio", "Duration of the trajectory divided by the person's", "", "", 1),
+  certifiedMeasure("tips_mean", "tip_error_mean", "Tips mean",
       "Mean distance of the fingertips from their goals", "mm", "m", 1000),
-  certifiedMeasure("tips_max", "position_error_max", "Tips max",
+  certifiedMeasure("tips_max", "tip_error_max", "Tips max",
       "Largest distance of a fingertip from its goal", "mm", "m", 1000),
-  certifiedMeasure("tips_grasp", "position_error_grasp", "Tips at grasp",
+  certifiedMeasure("tips_grasp", "tip_error_grasp", "Tips at grasp",
       "Largest distance of a fingertip from its goal in grasp and hold", "mm", "m", 1000),
   certifiedMeasure("clearance", "clearance", "Clear\u00adance",
-      "Least distance between what may not touch", "mm", "m", 1000),
+      "Smallest distance between bodies that must not touch", "mm", "m", 1000),
   certifiedMeasure("upper_arm", "upper_arm_error_mean", "Upper arm",
-      "Mean angle between the robot's upper arm and the person's (~: an estimated one)", "°", "rad",
+      "Mean angle between the robot's upper arm and the person's (~: estimated)", "°", "rad",
       kDegrees, true),
   certifiedMeasure("humanlikeness", "humanlikeness_final", "Human\u00adlikeness",
-      "Metric A of the trajectory: squared distances of the joint centres, less is more alike " +
+      "Metric A of the trajectory: squared distances of the joint centres, smaller is more humanlike " +
       "(~: from an estimated shoulder or elbow)", "m²", "m²", 1, true),
   ...(rows.some(({ physics }) => physics) ? [heldMeasure] : []),
   {
@@ -47,11 +47,11 @@ export const measures = [
     of: ({ goals, out_of_reach }) => (goals > 0 ? out_of_reach / goals : null),
   },
   {
-    id: "findings", short: "Find\u00adings", title: "What the check found in the mapped path",
+    id: "findings", short: "Find\u00adings", title: "Problems before repair",
     unit: "", siUnit: "", factor: 1, whole: true, source: "findings", of: (row) => row.findings,
   },
   {
-    id: "repaired", short: "Re\u00adpaired", title: "Executable after a change of the mapped path",
+    id: "repaired", short: "Re\u00adpaired", title: "Executable after repair of the mapped path",
     unit: "", siUnit: "", factor: 1, whole: true, words: ["no", "yes"], source: "repaired",
     of: ({ certificate }) => (typeof certificate.repaired === "boolean"
         ? Number(certificate.repaired) : certificate.repaired),
@@ -99,5 +99,5 @@ export function fillMeasure(cell, measure, row) {
 // A number that is no plan's own, such as a median.
 export const buildFigure = (measure, value) => build("td", {
   class: "number",
-  title: Number.isNaN(value) ? "no plan has one" : `${value} ${measure.unit}`.trim(),
+  title: Number.isNaN(value) ? "no plan has a value" : `${value} ${measure.unit}`.trim(),
 }, Number.isNaN(value) ? "–" : threeDigits(value));

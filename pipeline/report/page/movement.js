@@ -97,7 +97,7 @@ function reasonOf(plan, row) {
         buildButton("show it", {}, () => setTime(time))));
   }
   if (plan.advice.length > 0) {
-    parts.push(build("p", {}, "What to try:"),
+    parts.push(build("p", {}, "Suggestions:"),
                build("ul", {}, ...plan.advice.map((sentence) => build("li", {}, plainText(sentence)))));
   }
   if (plan.motions.length === 0) parts.push(build("p", {}, "Nothing was planned: the person alone is shown."));

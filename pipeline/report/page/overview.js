@@ -75,7 +75,7 @@ function buildOverview(host) {
     build("section", { "aria-labelledby": "table-title" }, build("h2", { id: "table-title" }, "Movements"), tools.tools, table.box),
     build("section", { "aria-labelledby": "distributions-title" },
         build("h2", { id: "distributions-title" }, "Distributions"),
-        build("p", { class: "muted small" }, "Click or drag over bars to show those plans alone."),
+        build("p", { class: "muted small" }, "Click or drag over bars to show only those plans."),
         build("div", { class: "histograms" }, ...histograms.map(({ card }) => card))),
     buildRuns());
   return { tools, table, counts, histograms, columns: null };

@@ -26,8 +26,8 @@ export function createReadings(host) {
       const tips = player.robot.tips.map((tip, index) => tipLine(player, tip, index));
       lines = [...joints, ...tips];
       host.replaceChildren(nearest,
-          table(["joint", "position", "of range", "velocity", "acceleration", "jerk"], joints),
-          table(["fingertip", "from its goal", "allowed"], tips));
+          table(["joint", "position", "share of range", "velocity", "acceleration", "jerk"], joints),
+          table(["fingertip", "error", "tolerance"], tips));
     },
     update(state_now) {
       now = state_now;
@@ -51,8 +51,8 @@ function lineOf(name, what, count, valuesAt) {
   return { row, button, what, write };
 }
 
-function jointLine({ name, lower, upper, slides }, index) {
-  const unit = slides ? [1e3, "mm"] : [180 / Math.PI, "°"];
+function jointLine({ name, lower, upper, prismatic }, index) {
+  const unit = prismatic ? [1e3, "mm"] : [180 / Math.PI, "°"];
   return lineOf(name, { kind: "joint", index }, 5, ({ motion, index: row, q }) => {
     const share = (kind) => (motion[kind] ? `${figureText(100 * at(motion[kind], row, index))} %` : "–");
     return [`${figureText(unit[0] * q[index])} ${unit[1]}`,
@@ -64,10 +64,10 @@ function jointLine({ name, lower, upper, slides }, index) {
 const kGraspAndHold = [3, 4];
 
 function tipLine({ row }, { name }, index) {
-  const { tracking, tracking_grasp } = row.tolerances;
+  const { tracking_tolerance, tracking_tolerance_grasp } = row.tolerances;
   return lineOf(name, { kind: "finger", index }, 2, ({ motion, index: sample }) => {
     if (!motion.tip_error) return [];
-    const allowed = kGraspAndHold.includes(at(motion.phase, sample)) ? tracking_grasp : tracking;
+    const allowed = kGraspAndHold.includes(at(motion.phase, sample)) ? tracking_tolerance_grasp : tracking_tolerance;
     return [`${figureText(1e3 * at(motion.tip_error, sample, index))} mm`, `${figureText(1e3 * allowed)} mm`];
   });
 }
@@ -78,7 +78,7 @@ export const bodyName = ({ robot, plan }, index) =>
 
 function writeNearest(host, player, now) {
   if (!now || at(now.motion.nearest.first, now.index) < 0) {
-    host.replaceChildren("Nearest pair: none is checked");
+    host.replaceChildren("Closest pair: no pair is checked");
     return;
   }
   const { nearest } = now.motion;
@@ -88,7 +88,7 @@ function writeNearest(host, player, now) {
       () => pick({ kind: "pair", first, second }));
   const touching = touchingPairs(now.motion, now.index).map(([a, b]) =>
     `${bodyName(player, a)} – ${bodyName(player, b)}`);
-  host.replaceChildren("Nearest to what it may: ", button,
-      ` ${figureText(apart)} mm (${figureText(required)} mm asked for)`,
+  host.replaceChildren("Closest pair: ", button,
+      `, ${figureText(apart)} mm (minimum ${figureText(required)})`,
       touching.length > 0 ? ` · touching: ${touching.join(", ")}` : "");
 }

@@ -58,21 +58,21 @@ function buildRun(run, index) {
   return build("article", { class: "run-card" }, title,
       run.left_out ? build("p", { class: "warning" }, shortText(run.left_out)) : null,
       unchecked.length > 0
-        ? build("p", { class: "warning" }, "No contact is checked of: ", ...joinedNames(unchecked)) : null,
+        ? build("p", { class: "warning" }, "Contacts are not checked for: ", ...joinedNames(unchecked)) : null,
       build("dl", { class: "facts" },
           fact("Robot", buildName(run.robot_name)),
           fact("Plans", shownWords(run)),
           fact("File", buildName(run.file)),
           fact("Software", plainText(run.software)),
           fact("SHA-256 of the file", buildHash(run.sha256)),
-          fact("of the config", buildHash(run.config_sha256)),
-          fact("of the dataset", buildHash(run.dataset_sha256)),
+          fact("SHA-256 of the config", buildHash(run.config_sha256)),
+          fact("SHA-256 of the dataset", buildHash(run.dataset_sha256)),
           fact("Built with", shortText(run.built_with))),
       buildConfig(run));
 }
 
 export function buildRuns() {
   return build("section", { "aria-labelledby": "runs-title" },
-      build("h2", { id: "runs-title" }, report.runs.length === 1 ? "What was run" : "Runs"),
+      build("h2", { id: "runs-title" }, report.runs.length === 1 ? "Run" : "Runs"),
       build("div", { class: "run-cards" }, ...report.runs.map(buildRun)));
 }

@@ -103,11 +103,11 @@ function boundsOf(actors) {
 // null where there is no WebGL: a sentence says so.
 export function createScene(host) {
   const canvas = build("canvas", { tabindex: "0", role: "img",
-    "aria-label": "3D view: arrow keys turn, with shift they move, plus and minus come nearer" });
+    "aria-label": "3D view: arrow keys rotate, with shift they move, plus and minus zoom" });
   const renderer = createRenderer(canvas);
   if (!renderer) {
     host.append(build("p", { class: "reason" },
-        "This browser shows no 3D graphics (WebGL is off): plots and numbers are below."));
+        "This browser cannot show 3D graphics (WebGL is off); plots and numbers are below."));
     return null;
   }
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));

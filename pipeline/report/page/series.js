@@ -43,14 +43,14 @@ function jointPlots({ plan, robot }) {
 const kGrasping = [3, 4]; // phases grasp and hold
 
 function tipPlot({ plan, robot, row }) {
-  const { tracking, tracking_grasp } = row.tolerances;
+  const { tracking_tolerance, tracking_tolerance_grasp } = row.tolerances;
   const series = robot.tips.map(({ name }, index) => ({ name, pick: { kind: "finger", index } }));
   series.push({ name: "tolerance", line: true });
   const tips = robot.tips.length;
-  return plotOf("Tips from their goals", "mm", series, overMotions(plan, tips + 1, (motion, k, i) => {
+  return plotOf("Fingertip error", "mm", series, overMotions(plan, tips + 1, (motion, k, i) => {
     if (!motion.tip_error) return NaN;
     if (i < tips) return 1e3 * at(motion.tip_error, k, i);
-    return 1e3 * (kGrasping.includes(at(motion.phase, k)) ? tracking_grasp : tracking);
+    return 1e3 * (kGrasping.includes(at(motion.phase, k)) ? tracking_tolerance_grasp : tracking_tolerance);
   }));
 }
 
@@ -89,14 +89,14 @@ export function plotsOf(players) {
   const human = { name: "person", value: atDemonstration(plan.human.speed, (f) => at(plan.human.speed, f)) };
   const mapped = { name: "mapped", line: true,
                    value: atDemonstration(plan.mapped, (f) => at(plan.mapped.humanlikeness, f, 0)) };
-  const margin = { name: "asked for", line: true, value: () => 1e3 * row.tolerances.margin };
+  const margin = { name: "minimum", line: true, value: () => 1e3 * row.tolerances.required_clearance };
   const clearance = (motion, k) =>
       1e3 * (motion.clearance ? at(motion.clearance, k) : at(motion.nearest.distance, k));
   const plots = [
     tipPlot(first),
     plotOfRuns(players, "Clearance", "mm", [margin], clearance),
     plotOfRuns(players, "Tip speed", "m/s", [human], (motion, k) => (motion.speed ? at(motion.speed, k) : NaN)),
-    plotOfRuns(players, "Arm from the person's (A)", "m²", [mapped],
+    plotOfRuns(players, "Distance from the person's arm (A)", "m²", [mapped],
         (motion, k) => (motion.humanlikeness ? at(motion.humanlikeness, k) : NaN)),
     ...jointPlots(first),
   ];

@@ -19,17 +19,17 @@ export function bandsOf(plan) {
     if (name !== "rest") add("phase", onClock(begin_s), onClock(end_s), name, says, confidence);
   }
   for (const clip of clips(plan)) addOrigins(clip, add);
-  for (const { begin_s, end_s, cause, first, second, depth } of plan.findings) {
-    const pair = second === "" ? first : `${first} – ${second}`;
+  for (const { begin_s, end_s, cause, subject, other_body, excess } of plan.findings) {
+    const pair = other_body === "" ? subject : `${subject} – ${other_body}`;
     add("finding", onClock(begin_s), onClock(end_s), cause,
-        `found in the mapped path: ${cause}, ${plainText(pair)}, ${depth.toPrecision(3)} too far`);
+        `before repair: ${cause}, ${plainText(pair)}, ${excess.toPrecision(3)} beyond the limit`);
   }
   if (plan.grasp) add("mark", onClock(plan.grasp.demonstration_s), null, "grasp", "the grasp");
   if (plan.worst) add("mark", onClock(plan.worst.demonstration_s), null, "worst", plan.worst.sentence);
   return bands.map((band) => ({ ...band, end: band.end ?? band.begin }));
 }
 
-const kOrigins = ["mapped", "re-solved", "planned"];
+const kOrigins = ["mapped", "re_solved", "planned"];
 
 function addOrigins({ motion, begin }, add) {
   const origin = (row) => at(motion.origin, row);
@@ -39,7 +39,7 @@ function addOrigins({ motion, begin }, add) {
     if (origin(from) > 0 && isGoalMotion(motion)) {
       const name = kOrigins[origin(from)];
       add("origin", begin + at(motion.time, from), begin + at(motion.time, to), name,
-          `${name} by repair`);
+          `${name} (repair)`);
     }
     from = to + 1;
   }

@@ -42,7 +42,7 @@ Quat rotation_of(const ClipArrays& clip, const NpyArray& array, std::size_t k,
   constexpr double kRotationTolerance = 0.01;
   if (!matrix.allFinite()) return unknown_rotation();
   if (!(matrix * matrix.transpose()).isIdentity(kRotationTolerance) || matrix.determinant() < 0) {
-    clip.fail(array.name, fmt::format("matrix {} is no rotation", k));
+    clip.fail(array.name, fmt::format("matrix {} is not a rotation", k));
   }
   return Quat(matrix).normalized();
 }
@@ -58,10 +58,10 @@ const NpyArray* ClipArrays::numbers(const std::string& key,
                                     std::initializer_list<std::size_t> shape) {
   const NpyArray* const array = find(key);
   if (array == nullptr) return nullptr;
-  if (array->kind == NpyKind::text) fail(key, "must hold numbers, not text");
+  if (array->kind == NpyKind::text) fail(key, "must contain numbers, not text");
   if (!fits(array->shape, shape)) {
-    fail(key,
-         fmt::format("has shape {}, not {}", files::shape_text(array->shape), wanted_text(shape)));
+    fail(key, fmt::format("has shape {}, must be {}", files::shape_text(array->shape),
+                          wanted_text(shape)));
   }
   return array;
 }
@@ -128,7 +128,7 @@ Pose clip_pose(const ClipArrays& clip, const NpyArray& array, std::size_t k) {
   const double* const first = array.values.data() + 16 * k;
   if (is_known(turn) &&
       !(Eigen::Map<const Eigen::Vector4d>(first + 12).isApprox(Eigen::Vector4d::UnitW(), 1e-6))) {
-    clip.fail(array.name, fmt::format("matrix {} does not end in the row 0 0 0 1", k));
+    clip.fail(array.name, fmt::format("the last row of matrix {} must be 0 0 0 1", k));
   }
   return make_pose(Vec3(first[3], first[7], first[11]), turn);
 }

@@ -31,16 +31,16 @@ JointOrder order_of(ClipArrays& clip, const std::string& key, const Array2D<Vec3
   }
   if (names.size() != joints.cols) {
     clip.fail(prefix + "joint_names",
-              fmt::format("has {} names, {} has {} joints", names.size(), key, joints.cols));
+              fmt::format("has {} names, but {} has {} joints", names.size(), key, joints.cols));
   }
   std::vector<std::string> unknown;
   JointOrder order = order_by_names(names, unknown);
   if (unknown.size() == names.size()) {
-    clip.fail(prefix + "joint_names", "none of them is a joint of a hand, such as index_tip");
+    clip.fail(prefix + "joint_names", "has no name of a hand joint, such as index_tip");
   }
   if (!unknown.empty()) {
-    reports.push_back(fmt::format("{}: left out, their names are no joints of a hand: {}", key,
-                                  fmt::join(unknown, ", ")));
+    reports.push_back(
+        fmt::format("{}: joints skipped, names unknown: {}", key, fmt::join(unknown, ", ")));
   }
   return order;
 }
@@ -57,10 +57,9 @@ void fill_wrist(const std::vector<Vec3>& wrist, const std::string& side, Recorde
     }
   }
   if (differ > 0) {
-    reports.push_back(fmt::format(
-        "the {} wrist_pos is elsewhere than the wrist among the joints in {} frames: the joint is "
-        "taken",
-        side, differ));
+    reports.push_back(
+        fmt::format("the {} wrist_pos and the wrist joint differ in {} frames; the joint is used",
+                    side, differ));
   }
 }
 
@@ -88,10 +87,10 @@ void read_wrist_rotation(ClipArrays& clip, const std::string& key, Side side, st
     hand.orientation = std::move(turned);
   } else if (!determines_orientation(hand)) {
     hand.orientation = std::move(turned);
-    reports.push_back(fmt::format(
-        "{}: how the hand is turned is taken from it, as no knuckles show it: its x points to the "
-        "fingers, its z out of the back of the hand",
-        key));
+    reports.push_back(
+        fmt::format("{}: used for the orientation of the hand, as no knuckles were recorded: its x "
+                    "points to the fingers, its z out of the back of the hand",
+                    key));
   }
 }
 

@@ -27,12 +27,11 @@ bool is_clip_key(const std::string& key) {
 }
 
 [[noreturn]] void fail_as_no_clip(const std::string& file, const std::vector<std::string>& keys) {
-  throw InputError(
-      fmt::format("{}: is no clip: it has neither {}joints, {}joints, body_joints, {} "
-                  "nor {}, but {}",
-                  file, clip_prefix(Side::right), clip_prefix(Side::left),
-                  spider_key("wrist", Side::right), spider_key("wrist", Side::left),
-                  keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
+  throw InputError(fmt::format(
+      "{}: is not a clip: it has neither {}joints, {}joints, body_joints, {} nor {}, only {}", file,
+      clip_prefix(Side::right), clip_prefix(Side::left), spider_key("wrist", Side::right),
+      spider_key("wrist", Side::left),
+      keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
 }
 
 /// Returns the number of frames of the clip, that of the first of these arrays that exists.
@@ -64,7 +63,7 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
   }
   for (std::size_t i = 0; i < rows; ++i) {
     if (!std::isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1]))) {
-      clip.fail("times", fmt::format("number {} does not follow the one before", i));
+      clip.fail("times", fmt::format("value {} must be greater than the previous one", i));
     }
   }
   if (rows < 2) throw InputError(fmt::format("{}: has fewer than two frames", clip.file()));
@@ -77,7 +76,8 @@ Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_
   const Quat turn(q[0], q[1], q[2], q[3]);
   if (!is_known(turn)) return unknown_rotation();
   if (std::abs(turn.norm() - 1) > kUnitNormTolerance) {
-    clip.fail(array.name, fmt::format("quaternion {} has the length {:.4g}", k, turn.norm()));
+    clip.fail(array.name,
+              fmt::format("quaternion {} has length {:.4g}, must be 1", k, turn.norm()));
   }
   return std::abs(turn.norm() - 1) < kUnitNormRounding ? turn : turn.normalized();
 }
@@ -96,7 +96,7 @@ BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& fra
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (std::ranges::count(body.names, body.names[k]) > 1) {
-      clip.fail("body_joint_names", fmt::format("'{}' stands twice", body.names[k]));
+      clip.fail("body_joint_names", fmt::format("'{}' appears twice", body.names[k]));
     }
   }
   // Clips written by Morphe are restored bit for bit.
@@ -152,11 +152,11 @@ void read_clip_metadata(ClipArrays& clip, Demonstration& demonstration) {
   if (!phases.empty() && times == nullptr) clip.fail("label_times", "is missing");
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const auto phase = enum_from_name<PhaseKind>(phases[k]);
-    if (!phase) clip.fail("label_phases", fmt::format("'{}' is no phase", phases[k]));
+    if (!phase) clip.fail("label_phases", fmt::format("'{}' is not a phase", phases[k]));
     demonstration.labels.push_back({times->values[2 * k], times->values[2 * k + 1], *phase});
   }
   for (std::string& report : clip.texts("reports")) {
-    demonstration.reports.push_back(std::move(report));
+    demonstration.import_notes.push_back(std::move(report));
   }
 }
 
@@ -170,8 +170,8 @@ std::optional<Side> declared_hand(ClipArrays& clip) {
 TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
                       std::vector<std::string>& reports) {
   const std::optional<std::string> axes = clip.text("axes");
-  const char* const because =
-      axes ? "as the clip says" : "those of a clip; which way the person faces it does not say";
+  const char* const because = axes ? "as stated in the clip"
+                                   : "assumed (the clip format); facing direction not in the file";
   return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"), because,
                        reports);
 }
@@ -197,10 +197,11 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   if (is_spider(clip)) return read_spider(clip, files);
   Demonstration demonstration;
   read_clip_metadata(clip, demonstration);
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   if (const auto said = declared_hand(clip); said && *said != files.hand) {
-    reports.push_back(fmt::format("the clip says that the {} hand reaches; the {} one is taken",
-                                  name_of(*said), name_of(files.hand)));
+    reports.push_back(
+        fmt::format("the clip states that the {} hand reaches; the {} one was requested and used",
+                    name_of(*said), name_of(files.hand)));
   }
   const TrackerFrame frame = frame_of(clip, files, reports);
   HandClip hands;
@@ -216,11 +217,10 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   hands.objects = read_clip_objects(clip, hands.time, frame, reports);
   clip.number("fps");
   if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
-    reports.push_back(
-        fmt::format("left out, they are no keys of a clip: {}", fmt::join(unread, ", ")));
+    reports.push_back(fmt::format("keys skipped, not keys of a clip: {}", fmt::join(unread, ", ")));
   }
   if (in_hand) {
-    add_shape(std::move(hands), files, "the clip's points are in the hand's own frame",
+    add_shape(std::move(hands), files, "the clip's points are in the frame of the hand",
               demonstration);
     return demonstration;
   }

@@ -143,7 +143,7 @@ std::size_t numbers_of(Shape shape) {
 
 void read_mesh(ClipArrays& clip, const std::string& prefix, double metres, SceneObject& object) {
   for (const Vec3& vertex : clip.points(prefix + "vertices", ClipArrays::kAnyLength)) {
-    if (!is_known(vertex)) clip.fail(prefix + "vertices", "holds what is no number");
+    if (!is_known(vertex)) clip.fail(prefix + "vertices", "has a value that is not a number");
     object.vertices.push_back(metres * vertex);
   }
   for (const Vec3& corners : clip.points(prefix + "triangles", ClipArrays::kAnyLength)) {
@@ -151,12 +151,13 @@ void read_mesh(ClipArrays& clip, const std::string& prefix, double metres, Scene
       if (!(corner >= 0 && corner < static_cast<double>(object.vertices.size())) ||
           corner != std::floor(corner)) {
         clip.fail(prefix + "triangles",
-                  fmt::format("{} is none of {} vertices", corner, object.vertices.size()));
+                  fmt::format("vertex {} does not exist; there are {} vertices", corner,
+                              object.vertices.size()));
       }
     }
     object.triangles.emplace_back(corners.cast<int>());
   }
-  if (object.triangles.empty()) clip.fail(prefix + "triangles", "a mesh needs them");
+  if (object.triangles.empty()) clip.fail(prefix + "triangles", "a mesh must have triangles");
 }
 
 void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
@@ -177,7 +178,8 @@ void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
   object.shape = *shape;
   if (object.shape == Shape::mesh) return read_mesh(clip, prefix, metres, object);
   const NpyArray* const size = clip.numbers(prefix + "size", {numbers_of(object.shape)});
-  if (size == nullptr) clip.fail(prefix + "size", fmt::format("is missing: a {} needs it", said));
+  if (size == nullptr)
+    clip.fail(prefix + "size", fmt::format("is missing; required for a {}", said));
   for (const double length : size->values) {
     if (!(length > 0) || !std::isfinite(length)) clip.fail(prefix + "size", "must be positive");
     object.size.push_back(metres * length);
@@ -198,15 +200,15 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
   } else if (count == 1) {
     object.time = {time.front()};
   } else {
-    clip.fail(prefix + "pose", fmt::format("has {} poses, the clip {} frames: give {}times", count,
-                                           time.size(), prefix));
+    clip.fail(prefix + "pose", fmt::format("has {} poses, but the clip has {} frames; give {}times",
+                                           count, time.size(), prefix));
   }
   for (std::size_t k = 0; k < count; ++k) {
     if (!std::isfinite(object.time[k]) || (k > 0 && !(object.time[k] > object.time[k - 1]))) {
-      clip.fail(prefix + "times", fmt::format("number {} does not follow the one before", k));
+      clip.fail(prefix + "times", fmt::format("value {} must be greater than the previous one", k));
     }
   }
-  if (count == 0) clip.fail(prefix + "pose", "holds no pose");
+  if (count == 0) clip.fail(prefix + "pose", "has no poses");
   add_poses(clip, *poses, 0, count, frame, object);
   read_shape(clip, prefix, frame.unit_m, reports, object);
   return object;

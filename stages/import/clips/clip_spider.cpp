@@ -38,8 +38,8 @@ void read_task(const RecordingFiles& files, double& step_s, Demonstration& demon
   if (!task.has("ref_dt")) return;
   step_s = task["ref_dt"].number();
   if (!(step_s > 0)) task["ref_dt"].fail("must be positive");
-  demonstration.reports.push_back(
-      fmt::format("{} s a frame, as {} says", step_s, file.filename().string()));
+  demonstration.import_notes.push_back(
+      fmt::format("frame period {} s, from {}", step_s, file.filename().string()));
 }
 
 std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
@@ -54,7 +54,7 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
     time.push_back(stamps != nullptr ? (stamps->values[i] - stamps->values[0]) * 1e-9
                                      : static_cast<double>(i) / rate_hz);
     if (i > 0 && !(time[i] > time[i - 1])) {
-      clip.fail("timestamps", fmt::format("number {} does not follow the one before", i));
+      clip.fail("timestamps", fmt::format("value {} must be greater than the previous one", i));
     }
   }
   return time;
@@ -81,10 +81,10 @@ std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t r
     }
   }
   if (count > 0 && reach / count < kMinFingertipDistance_m) {
-    reports.push_back(fmt::format(
-        "the {} fingertips are {:.0f} mm from the wrist in the mean: what is called the wrist may "
-        "be the middle finger's knuckle",
-        name_of(side), 1000 * reach / count));
+    reports.push_back(
+        fmt::format("the mean distance of the {} fingertips from the wrist is only {:.0f} mm; the "
+                    "point called wrist may be the knuckle of the middle finger",
+                    name_of(side), 1000 * reach / count));
   }
   return hand;
 }
@@ -101,11 +101,11 @@ bool is_spider(const ClipArrays& clip) {
 
 Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   double step_s = 0;
   read_task(files, step_s, demonstration);
   const TrackerFrame frame = tracker_frame(
-      files, "x y z", "m", "SPIDER's Z is up; which way the person faces is not said", reports);
+      files, "x y z", "m", "Z is up in SPIDER; facing direction not in the file", reports);
   const Side first = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
   const std::size_t rows =
       clip.numbers(spider_key("wrist", first), {ClipArrays::kAnyLength, kPoseValueCount})->shape[0];
@@ -121,8 +121,8 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
       const double* const q = poses->values.data() + kPoseValueCount * i;
       const Quat turn(q[3], q[4], q[5], q[6]);
       if (!(std::abs(turn.norm() - 1) < 1e-3)) {
-        clip.fail(poses->name,
-                  fmt::format("the quaternion of row {} has the length {:.4g}", i, turn.norm()));
+        clip.fail(poses->name, fmt::format("the quaternion of row {} has length {:.4g}, must be 1",
+                                           i, turn.norm()));
       }
       object.position.push_back(frame.point(Vec3(q[0], q[1], q[2])));
       object.orientation.push_back(frame.rotation(turn));
@@ -130,10 +130,10 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
     hands.objects.push_back(std::move(object));
   }
   reports.push_back(
-      "wrists and fingertips alone: the wrist's rotation is left out, its axes depend on the data "
-      "set that it came from");
+      "only wrists and fingertips used; wrist rotation skipped, since its axes depend on the "
+      "original data set");
   if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
-    reports.push_back(fmt::format("left out: {}", fmt::join(unread, ", ")));
+    reports.push_back(fmt::format("keys skipped: {}", fmt::join(unread, ", ")));
   }
   add_tracked_clip(std::move(hands), files, demonstration);
   return demonstration;

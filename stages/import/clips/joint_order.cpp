@@ -63,16 +63,15 @@ void test_hand_proportions(const Hand& hand, ConditionCount& votes) {
     votes.test(kMinBendCosine, bend_cosine(hand, base, base + 1, base + 2));
     votes.test(kMinBendCosine, bend_cosine(hand, base + 1, base + 2, base + 3));
     votes.test(keypoint_distance(hand, base + 2, base + 3),
-                              1.15 * keypoint_distance(hand, base, base + 1));
+               1.15 * keypoint_distance(hand, base, base + 1));
     votes.test(keypoint_distance(hand, base + 1, base + 2),
-                              1.15 * keypoint_distance(hand, base, base + 1));
+               1.15 * keypoint_distance(hand, base, base + 1));
     for (std::size_t joint = 0; joint < 3; ++joint) {
       const double bone = keypoint_distance(hand, base + joint, base + joint + 1);
       votes.test(0.08 * size, bone);
       votes.test(bone, 0.75 * size);
     }
-    if (finger + 1 < kFingerCount)
-      votes.test(keypoint_distance(hand, base, base + 4), 0.4 * size);
+    if (finger + 1 < kFingerCount) votes.test(keypoint_distance(hand, base, base + 4), 0.4 * size);
   }
   votes.test(keypoint_distance(hand, 5, 9), keypoint_distance(hand, 5, 13));
   votes.test(keypoint_distance(hand, 5, 13), keypoint_distance(hand, 5, 17));
@@ -130,11 +129,10 @@ std::optional<int> keypoint_from_name(const std::string& name, bool has_metacarp
   return *part < 0 ? -1 : static_cast<int>(1 + 4 * *finger) + *part;
 }
 
-[[noreturn]] void test(const std::string& file, const std::string& key,
-                                      const std::string& why, std::size_t count,
-                                      std::string likely) {
+[[noreturn]] void test(const std::string& file, const std::string& key, const std::string& why,
+                       std::size_t count, std::string likely) {
   UnresolvedConvention question(
-      "joint_order", fmt::format("{}: {}: {}; give --joint-order or `joint_order:`, one of {}",
+      "joint_order", fmt::format("{}: {}: {}; give --joint-order or `joint_order:`: one of {}",
                                  file, key, why, order_names(count)));
   question.likely_value = std::move(likely);
   throw question;
@@ -153,7 +151,7 @@ JointOrder order_by_names(const std::vector<std::string>& names,
   });
   JointOrder order;
   order.joint.fill(-1);
-  order.because = "by the joints' names";
+  order.because = "joint order from the joint names";
   for (std::size_t j = 0; j < names.size(); ++j) {
     const std::optional<int> keypoint = keypoint_from_name(names[j], has_metacarpal);
     if (!keypoint || (*keypoint >= 0 && order.joint[static_cast<std::size_t>(*keypoint)] >= 0)) {
@@ -185,14 +183,14 @@ JointOrder joint_order_of(const Array2D<Vec3>& joints, const std::string& in_fil
   if (!said.empty()) {
     const KeypointOrder* const order = keypoint_order(said);
     if (order == nullptr) {
-      throw InputError(
-          fmt::format("{}: joint_order: '{}' is none; there are {}", file, said, order_names(0)));
+      throw InputError(fmt::format("{}: joint_order: unknown order '{}'; known: {}", file, said,
+                                   order_names(0)));
     }
     if (order->joints != joints.cols) {
-      throw InputError(fmt::format("{}: {}: holds {} joints, the order {} has {}", file, key,
+      throw InputError(fmt::format("{}: {}: has {} joints, but the order {} has {}", file, key,
                                    joints.cols, said, order->joints));
     }
-    return {order->joint, fmt::format("the order {}, as was said", said)};
+    return {order->joint, fmt::format("joint order {}, as given", said)};
   }
   const KeypointOrder *best = nullptr, *next = nullptr;
   double best_share = 0, next_share = 0;
@@ -210,27 +208,27 @@ JointOrder joint_order_of(const Array2D<Vec3>& joints, const std::string& in_fil
     }
   }
   if (best == nullptr) {
-    test(
-        file, key, fmt::format("no order has {} joints: name them in {}_names", joints.cols, key),
-        0, "openpose");
+    test(file, key,
+         fmt::format("no known order has {} joints; name them in {}_names", joints.cols, key), 0,
+         "openpose");
   }
-  const JointOrder found{best->joint, fmt::format("the order {}, by the number of joints and how "
-                                                  "they lie",
-                                                  best->name)};
+  const JointOrder found{
+      best->joint,
+      fmt::format("joint order {}, recognised by the number and positions of the joints",
+                  best->name)};
   if (!conventions.plausibility_checks) return found;
   if (best_share < kMinHandSimilarity) {
-    test(
-        file, key,
-        fmt::format("{} joints, which are a hand in no order of as many (most like one, by {:.0f} "
-                    "%: {})",
-                    joints.cols, 100 * best_share, best->name),
-        joints.cols, std::string(best->name));
+    test(file, key,
+         fmt::format(
+             "the {} joints do not look like a hand in any known order (best match, {:.0f} %: {})",
+             joints.cols, 100 * best_share, best->name),
+         joints.cols, std::string(best->name));
   }
   if (next != nullptr && best_share - next_share < kMinSimilarityMargin) {
     test(file, key,
-                        fmt::format("{} joints, which are a hand in the order {} as in {}",
-                                    joints.cols, best->name, next->name),
-                        joints.cols, std::string(best->name));
+         fmt::format("the {} joints look like a hand in both orders {} and {}", joints.cols,
+                     best->name, next->name),
+         joints.cols, std::string(best->name));
   }
   return found;
 }

@@ -144,7 +144,7 @@ void add_body(const BodyStream& skeleton, const std::vector<std::size_t>& joints
 
 void add_skeleton(const BodyStream& skeleton, Arrays& arrays) {
   arrays.add("times", {skeleton.time.size()}, skeleton.time);
-  if (skeleton.rebuilt) arrays.add("rebuilt", 1);
+  if (skeleton.reconstructed) arrays.add("rebuilt", 1);
   const SkeletonSplit parting = split_skeleton(skeleton);
   if (parting.has(Side::right) || parting.has(Side::left)) arrays.add("joint_order", "openpose");
   for (const Side side : {Side::right, Side::left}) {
@@ -207,7 +207,7 @@ void add_clip_metadata(const Demonstration& demonstration, Arrays& arrays) {
   const std::size_t count = phases.size();
   arrays.add("label_phases", std::move(phases));
   if (count > 0) arrays.add("label_times", {count, 2}, std::move(times));
-  arrays.add("reports", demonstration.reports);
+  arrays.add("reports", demonstration.import_notes);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void remove_duplicates(std::vector<DatasetFile>& files, std::vector<SkippedFile>
     const auto [same, is_new] =
         by_bytes.emplace(files::sha256_of_file(file.path), file.display_name);
     if (!is_new) {
-      left_out.push_back({file.path, fmt::format("has the bytes of {}", same->second)});
+      left_out.push_back({file.path, fmt::format("identical to {}", same->second)});
       continue;
     }
     const fs::path place = file.path.parent_path() / file.path.stem();

@@ -61,8 +61,9 @@ FolderManifest read_folder_manifest(const ImportRequest& request, const DatasetF
                                     std::vector<NamedEntry>& entries) {
   FolderManifest read{manifest.path, {}};
   for (ManifestEntry& entry : entries_of(request, manifest.path, true)) {
-    for (const std::string& used : {entry.file, entry.static_trial, entry.glove, entry.static_glove,
-                                    entry.glove_calibration, entry.names}) {
+    for (const std::string& used :
+         {entry.file, entry.static_trial, entry.glove, entry.glove_static_trial,
+          entry.glove_calibration, entry.names}) {
       if (!used.empty()) read.uses.insert(fs::weakly_canonical(used));
     }
     const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
@@ -86,16 +87,16 @@ const FolderManifest* manifest_above(const fs::path& path,
 std::string skip_reason(const ImportRequest& request, const fs::path& path,
                         const RecordingFormat* format) {
   if (format == nullptr && store::has_hdf5_signature(path))
-    return "an HDF5 file: if it holds demonstrations, give it by itself";
-  if (is_yaml(path) && holds_key_recordings(path)) return "a manifest: give it by itself";
+    return "an HDF5 file; if it contains demonstrations, give the file itself";
+  if (is_yaml(path) && holds_key_recordings(path)) return "a manifest; give the file itself";
   if (format == nullptr) return "not a recording";
   if (!request.format.empty() && format->name != request.format) {
-    return fmt::format("{}, not {}", format->name, request.format);
+    return fmt::format("format {}, but {} was requested", format->name, request.format);
   }
   if (format->name == "clip-npz" && !holds_a_clip(path)) {
-    return "not a recording: an .npz with no key of a clip, such as mano_right_joints";
+    return "not a recording: a .npz file without a key of a clip, such as mano_right_joints";
   }
-  return format->name == "mot" ? "joint angles alone, from which no arm can be rebuilt" : "";
+  return format->name == "mot" ? "only joint angles, from which no arm can be reconstructed" : "";
 }
 
 /// Adds the files of a folder that may be recordings.
@@ -121,7 +122,7 @@ void add_folder(const ImportRequest& request, const fs::path& folder,
       const RecordingFormat* const format = recognised_format(path);
       std::string why = skip_reason(request, path, format);
       if (why.empty() && manifest != nullptr) {
-        why = fmt::format("{} does not list it",
+        why = fmt::format("not listed in {}",
                           manifest->file.lexically_relative(folder).generic_string());
       }
       if (!why.empty()) {
@@ -211,7 +212,7 @@ void inspect_file(const ImportRequest& request, DatasetFile& file) {
   sketch.format = std::move(file.sketch.format);
   file.sketch = std::move(sketch);
   const std::optional<Side> said = hand_in_file(file.path, file.sketch.format);
-  file.hand = said ? ReachingHand{*said, fmt::format("the {} hand reaches, as the file says",
+  file.hand = said ? ReachingHand{*said, fmt::format("the {} hand reaches, as stated in the file",
                                                      name_of(*said))}
                    : reaching_hand(demonstration, file.sketch);
 }
@@ -266,7 +267,7 @@ std::vector<DatasetFile> dataset_files(const ImportRequest& request,
   for (const std::size_t k : tables) {
     if (read.empty()) continue;
     std::string& why = left_out[k].reason;
-    why = "not a recording as it stands: " +
+    why = "not readable as a recording: " +
           why.substr(std::min(why.find_first_not_of("0123456789: "), why.size()));
     left_out[k].failed = false;
   }

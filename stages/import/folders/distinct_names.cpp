@@ -39,10 +39,11 @@ std::vector<ManifestEntry> assign_unique_names(std::vector<NamedEntry> entries) 
     ManifestEntry& entry = one.entry;
     if (entry.name.empty()) entry.name = std::filesystem::path(entry.file).stem().string();
     if (entry.name.find('/') != std::string::npos || entry.name == "." || entry.name == "..") {
-      throw InputError(fmt::format("{}: name: '{}' cannot name a group", entry.file, entry.name));
+      throw InputError(fmt::format("{}: name: '{}' is not a valid name of an HDF5 group",
+                                   entry.file, entry.name));
     }
     if (one.names.empty() && taken.contains(entry.name)) {
-      throw InputError(fmt::format("{}: name: '{}' stands twice", entry.file, entry.name));
+      throw InputError(fmt::format("{}: name: '{}' appears twice", entry.file, entry.name));
     }
     for (std::size_t k = 0; !one.names.empty() && (k == 0 || taken.contains(entry.name)); ++k) {
       entry.name = k < one.names.size()

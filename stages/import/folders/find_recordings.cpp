@@ -9,6 +9,7 @@
 
 #include "stages/import/folders/dataset_files.hpp"
 #include "stages/import/folders/distinct_names.hpp"
+#include "stages/import/folders/entry_notes.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 #include "stages/import/folders/static_pairing.hpp"
 #include "stages/import/recording/name_words.hpp"
@@ -54,8 +55,7 @@ ManifestEntry entry_of(const ImportRequest& request, const DatasetFile& file) {
   if (as_told && !usual) entry.notes.push_back(file.hand.why);
   if (file.from_folder && has_static_name(file)) {
     entry.notes.push_back(
-        "its name is that of a static trial, but its points move: taken as a "
-        "demonstration");
+        fmt::format("{}, but its points move; treated as a demonstration", kMovingStaticTrial));
   }
   return entry;
 }
@@ -65,19 +65,19 @@ void pair_entry(const DatasetFile& file, const std::optional<StaticPair>& pair,
   if (pair) {
     const DatasetFile& still = statics[pair->static_index];
     entry.static_trial = still.path.string();
-    entry.notes.push_back(
-        fmt::format("static trial: {}{}", still.display_name,
-                    pair->candidate_count > 1
-                        ? fmt::format(", of {} that may be its person's", pair->candidate_count)
-                        : ""));
+    entry.notes.push_back(fmt::format(
+        "static trial: {}{}", still.display_name,
+        pair->candidate_count > 1
+            ? fmt::format(", chosen from {} that may be of this person", pair->candidate_count)
+            : ""));
     if (!still.sketch.subject.empty() && !file.sketch.subject.empty() &&
         still.sketch.subject != file.sketch.subject) {
       entry.notes.push_back(
-          fmt::format("the static trial's file says subject {}, the recording's {}",
+          fmt::format("the static trial is of subject {}, the recording of subject {}",
                       still.sketch.subject, file.sketch.subject));
     }
   } else if (file.from_folder && file.sketch.has_markers) {
-    entry.notes.push_back("no static trial was found for it");
+    entry.notes.emplace_back(kNoStaticTrial);
   }
 }
 
@@ -139,7 +139,7 @@ void add_recordings(const ImportRequest& request, std::vector<DatasetFile> files
   for (std::size_t k = 0; k < statics.size(); ++k) {
     left_out.push_back({statics[k].path, served[k] > 0 || given
                                              ? "static trial"
-                                             : "static trial, but of no recording that was found"});
+                                             : "static trial without a matching recording"});
   }
 }
 
@@ -171,8 +171,8 @@ void require_recordings(const ImportRequest& request, const ImportResult& import
     ++reasons[one.reason];
   }
   for (const auto& [why, count] : reasons) list.push_back(fmt::format("{} {}", count, why));
-  throw InputError(fmt::format("{}: holds no recording ({}); formats: {}", folder->string(),
-                               list.empty() ? "no file" : fmt::format("{}", fmt::join(list, "; ")),
+  throw InputError(fmt::format("{}: no recording found ({}); known formats: {}", folder->string(),
+                               list.empty() ? "no files" : fmt::format("{}", fmt::join(list, "; ")),
                                fmt::join(import_format_names(), ", ")));
 }
 

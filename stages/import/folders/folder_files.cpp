@@ -34,7 +34,7 @@ struct FolderWalk {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error || !entered.insert(real).second) {
-      if (!error) skip(folder, "leads to a folder that was looked at already");
+      if (!error) skip(folder, "link to a folder that was already searched");
       return;
     }
     std::vector<fs::path> inside;
@@ -52,19 +52,21 @@ struct FolderWalk {
     std::error_code error;
     const std::string name = path.filename().string();
     if (name.starts_with('.')) return skip(path, "hidden");
-    if (!is_plain_text(name)) return skip(path, "its name is no plain text", true);
+    if (!is_plain_text(name))
+      return skip(path, "its name contains control characters or is not UTF-8", true);
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) {
       if (!results.empty() && fs::equivalent(path, results, error)) {
-        return skip(path, "the folder of the results");
+        return skip(path, "the output folder");
       }
-      if (fs::exists(path / "journal.sqlite", error)) return skip(path, "the folder of a run");
+      if (fs::exists(path / "journal.sqlite", error))
+        return skip(path, "the output folder of a run");
       return enter(path);
     }
     if (fs::is_regular_file(status)) {
       found.files.push_back(path);
     } else {
-      skip(path, fs::exists(status) ? "no file" : "cannot be read");
+      skip(path, fs::exists(status) ? "not a regular file" : "cannot be read");
     }
   }
 };

@@ -16,9 +16,9 @@ namespace fs = std::filesystem;
 /// The fields that may also be at the top of a manifest, for all recordings.
 template <class Fields>
 void shared_fields(Fields& f, ManifestEntry& e) {
-  f("static", e.static_trial);
+  f("static_trial", e.static_trial);
   f("glove", e.glove);
-  f("static_glove", e.static_glove);
+  f("glove_static_trial", e.glove_static_trial);
   f("glove_calibration", e.glove_calibration);
   f("format", e.format);
   f("names", e.names);
@@ -92,8 +92,12 @@ struct NonDefaultFields {
 };
 
 std::vector<std::string*> paths_of(ManifestEntry& entry) {
-  return {&entry.file,         &entry.static_trial,      &entry.glove,
-          &entry.static_glove, &entry.glove_calibration, &entry.names};
+  return {&entry.file,
+          &entry.static_trial,
+          &entry.glove,
+          &entry.glove_static_trial,
+          &entry.glove_calibration,
+          &entry.names};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 3> names_of(HandSelection) {
 struct ManifestEntry {
   std::string manifest;            ///< the manifest that lists it, or ""
   std::string file, static_trial;  ///< static_trial is "" if there is no static trial
-  std::string glove, static_glove, glove_calibration;  ///< "" if absent
+  std::string glove, glove_static_trial, glove_calibration;  ///< "" if absent
   std::string name;    ///< "" for the file's name without its extension
   std::string format;  ///< "" to detect it from the content
   std::string names;   ///< YAML map from recorded names to those used here, or ""

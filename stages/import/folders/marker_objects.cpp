@@ -32,7 +32,7 @@ std::vector<std::size_t> columns_of(const std::string& file, const MarkerObject&
     for (std::size_t k = 0; k < names.size(); ++k) {
       if (prefix ? names[k].starts_with(stem) : names[k] == stem) columns.push_back(k);
     }
-    if (columns.size() == before) fail(file, object, fmt::format("no marker '{}'", wanted));
+    if (columns.size() == before) fail(file, object, fmt::format("marker '{}' not found", wanted));
   }
   std::ranges::sort(columns);
   // clang 14 cannot compile the ranges::unique of g++ 12's library.
@@ -105,12 +105,12 @@ std::string validation_error(const MarkerObject& object) {
     return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
   }
   if (object.size.empty()) {
-    return shape == Shape::box ? "" : fmt::format("a {} needs its size", object.shape);
+    return shape == Shape::box ? "" : fmt::format("a {} needs a size", object.shape);
   }
   const std::size_t wanted = kSizes[static_cast<std::size_t>(*shape)];
   if (object.size.size() != wanted ||
       std::ranges::any_of(object.size, [](double length) { return !(length > 0); })) {
-    return fmt::format("the size of a {} is {} positive lengths", object.shape, wanted);
+    return fmt::format("the size of a {} must be {} positive lengths", object.shape, wanted);
   }
   return "";
 }
@@ -133,7 +133,7 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
     }
   }
   if (most == 0 || !is_finite_pose(math::fit_rigid_transform(frames[fullest], frames[fullest]))) {
-    fail(file, object, "no frame shows three of its markers that are not in a line");
+    fail(file, object, "in no frame are three of its markers visible that are not on a line");
   }
   Points shape = mean_shape(frames, frames[fullest]);
   const Eigen::Matrix3d axes = object_axes(shape);
@@ -151,7 +151,7 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
   if (body.size.empty()) {
     const Vec3 sizes = extent.sizes();
     if (sizes.minCoeff() < kMinMarkerBoxSize_m)
-      fail(file, object, "its markers lie in a plane: give its size");
+      fail(file, object, "its markers are in one plane; give its size");
     body.size = {sizes.x(), sizes.y(), sizes.z()};
   }
   double squares = 0;
@@ -166,13 +166,13 @@ void add_marker_object(const std::string& file, const MarkerObject& object,
   }
   const auto poses = static_cast<double>(body.time.size());
   std::string report =
-      fmt::format("{}: from {}, rigid within {:.1f} mm (root mean square)", object.name,
+      fmt::format("{}: from {}, RMS deviation from a rigid body {:.1f} mm", object.name,
                   count_with_noun(columns.size(), "marker"), 1000 * std::sqrt(squares / poses));
   if (body.time.size() < frames.size()) {
-    report += fmt::format("; not seen in {} of {} frames", frames.size() - body.time.size(),
+    report += fmt::format("; not visible in {} of {} frames", frames.size() - body.time.size(),
                           frames.size());
   }
-  demonstration.reports.push_back(report);
+  demonstration.import_notes.push_back(report);
   demonstration.objects.push_back(std::move(body));
 }
 

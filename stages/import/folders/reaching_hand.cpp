@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "stages/import/folders/entry_notes.hpp"
 #include "stages/import/folders/recording_descriptor.hpp"
 #include "stages/import/recording/name_words.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
@@ -74,7 +75,7 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingDe
     const double out = finger_curl_m(hand->position);
     if (std::abs(out) > kMinCurl_m) {
       const Side side = out < 0 ? Side::right : Side::left;
-      return {side, fmt::format("the {} hand: its fingers curl as those do", name_of(side))};
+      return {side, fmt::format("the {} hand, judged by the curl of its fingers", name_of(side))};
     }
   }
   const std::set<std::string_view> all(sketch.points.begin(), sketch.points.end());
@@ -84,25 +85,28 @@ ReachingHand reaching_hand(const Demonstration& demonstration, const RecordingDe
     if (side) wander[static_cast<std::size_t>(*side)].push_back(sketch.rms_deviation_m[k]);
   }
   if (wander[0].empty() && wander[1].empty()) {
-    return {Side::right, "the right hand is assumed: the file does not tell which one reaches"};
+    return {Side::right,
+            fmt::format("{}: the file does not show which hand reaches", kRightHandAssumed)};
   }
   for (const Side side : {Side::right, Side::left}) {
     if (!wander[1 - static_cast<std::size_t>(side)].empty()) continue;
-    return {side, fmt::format("the {0} hand reaches: the file has points of the {0} side alone",
+    return {side, fmt::format("the {0} hand reaches: the file has only points of the {0} side",
                               name_of(side))};
   }
   const double right = mean_largest_deviation(wander[0]), left = mean_largest_deviation(wander[1]);
   if (std::max(right, left) <= std::max(kMinReach_m, kMinMotionRatio * std::min(right, left))) {
     return {Side::right,
-            fmt::format("the right hand is assumed: both move alike, by {:.0f} and {:.0f} mm",
-                        1000 * right, 1000 * left)};
+            fmt::format("{}: the right one moves by {:.0f} mm, the left one by {:.0f} mm",
+                        kRightHandAssumed, 1000 * right, 1000 * left)};
   }
   const Side side = right > left ? Side::right : Side::left;
   const Side other = right > left ? Side::left : Side::right;
-  return {side,
-          fmt::format("the {} hand reaches: its points move by {:.0f} mm, the {} one's by {:.0f}",
-                      name_of(side), 1000 * std::max(right, left), name_of(other),
-                      1000 * std::min(right, left))};
+  return {
+      side,
+      fmt::format(
+          "the {} hand reaches: its points move by {:.0f} mm, those of the {} hand by {:.0f} mm",
+          name_of(side), 1000 * std::max(right, left), name_of(other),
+          1000 * std::min(right, left))};
 }
 
 bool has_points_of_side(const RecordingDescriptor& sketch, Side side) {

@@ -22,7 +22,9 @@ std::string read_file_head(const std::filesystem::path& file) {
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
       !std::filesystem::is_directory(status)) {
-    throw InputError(fmt::format("{}: is no file: it is read more than once", file.string()));
+    throw InputError(
+        fmt::format("{}: is not a regular file; pipes cannot be read, as it is read more than once",
+                    file.string()));
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream || std::filesystem::is_directory(status)) {
@@ -58,19 +60,19 @@ const RecordingFormat* recognised_format(const std::filesystem::path& file) {
 
 Demonstration read_recording(const ManifestEntry& entry) {
   const RecordingFormat& format = format_of(entry.file, entry.format);
-  if (format.name != "liberty-csv" && !(entry.glove + entry.static_glove).empty()) {
-    throw InputError(
-        fmt::format("{}: glove: only liberty-csv takes one, not {}", entry.file, format.name));
+  if (format.name != "liberty-csv" && !(entry.glove + entry.glove_static_trial).empty()) {
+    throw InputError(fmt::format("{}: glove: is only possible with the format liberty-csv, not {}",
+                                 entry.file, format.name));
   }
   Demonstration demonstration = read_or_propose(
       format,
-      {entry.file, entry.static_trial, entry.glove, entry.static_glove, entry.glove_calibration,
-       read_names(entry.names), side_of(entry), entry.conventions},
+      {entry.file, entry.static_trial, entry.glove, entry.glove_static_trial,
+       entry.glove_calibration, read_names(entry.names), side_of(entry), entry.conventions},
       entry.manifest);
   demonstration.hand = side_of(entry);
   if (entry.split_from_both &&
       !has_points_of_side(recording_descriptor(demonstration), demonstration.hand)) {
-    throw InputError(fmt::format("{}: hand: both, but nothing in it is called as the {} one's",
+    throw InputError(fmt::format("{}: hand: is both, but no point name belongs to the {} hand",
                                  entry.file, name_of(demonstration.hand)));
   }
   align_heading(entry.conventions, demonstration);
@@ -87,7 +89,8 @@ Demonstration read_recording(const ManifestEntry& entry) {
   if (entry.hand_length) demonstration.hand_length = entry.hand_length;
   if (entry.hand_breadth) demonstration.hand_breadth = entry.hand_breadth;
   if (!entry.labels.empty()) demonstration.labels = entry.labels;
-  demonstration.reports.insert(demonstration.reports.end(), entry.notes.begin(), entry.notes.end());
+  demonstration.import_notes.insert(demonstration.import_notes.end(), entry.notes.begin(),
+                                    entry.notes.end());
   if (const std::string fault = store::inconsistency(demonstration); !fault.empty())
     throw InputError(fmt::format("{}: {}", entry.file, fault));
   return demonstration;

@@ -38,7 +38,7 @@ std::vector<Row> read_rows(const files::CsvText& csv) {
     row.palm = {value("palm_x"), value("palm_y"), value("palm_z")};
     row.handle = {value("handle_x"), value("handle_y"), value("handle_z")};
     if (rows.size() > 1 && !(row.time_s > rows[rows.size() - 2].time_s)) {
-      csv.fail(line, "t_s", "does not follow the row before");
+      csv.fail(line, "t_s", "must be greater than in the previous row");
     }
   }
   return rows;
@@ -53,7 +53,7 @@ bool recognises_adroit_csv(std::string_view head) {
 
 Demonstration read_adroit_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
-  if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
+  if (!files.static_trial.empty()) csv.fail(1, "static_trial", "this format has no static trial");
   const std::vector<Row> rows = read_rows(csv);
   std::vector<double> time;
   for (const Row& row : rows) time.push_back(row.time_s);
@@ -86,7 +86,7 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
     handle.orientation.push_back(Quat::Identity());
   }
   Demonstration demonstration;
-  demonstration.reports = csv.notes;
+  demonstration.import_notes = csv.notes;
   demonstration.streams.sensors = std::move(wrist);
   demonstration.streams.arm_angles = std::move(angles);
   demonstration.streams.hand = std::move(tips);

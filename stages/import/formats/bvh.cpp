@@ -39,13 +39,12 @@ void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
                 const std::vector<Vec3>& rest) {
   const auto check = [&](const std::string& what, double length, const PlausibleRange& plausible) {
     if (length >= plausible.min && length <= plausible.max) return;
-    throw UnresolvedConvention(
-        "unit", fmt::format("{}: unit: cannot be right: {} would be {:.3g} m", bvh.text.file, what,
-                            length));
+    throw UnresolvedConvention("unit", fmt::format("{}: unit: implausible: {} would be {:.3g} m",
+                                                   bvh.text.file, what, length));
   };
   double extent = 0;
   for (const Vec3& point : rest) extent = std::max(extent, (point - rest[0]).norm());
-  check("the farthest joint's distance from the root", extent, kSkeletonExtentRange_m);
+  check("the distance of the farthest joint from the root", extent, kSkeletonExtentRange_m);
   const auto find = [&](const char* name) { return std::find(names.begin(), names.end(), name); };
   for (const auto& [shoulder, elbow] : {std::pair(find("right_shoulder"), find("right_elbow")),
                                         std::pair(find("left_shoulder"), find("left_elbow"))}) {
@@ -62,8 +61,7 @@ double frame_rate(const BvhFile& bvh, const Conventions& conventions,
       bvh.frame_s >= kFramePeriodRange_s.min && bvh.frame_s <= kFramePeriodRange_s.max;
   if (!plausible && !conventions.rate_hz) {
     throw UnresolvedConvention(
-        "rate", fmt::format("{}:{}: Frame Time: {} s cannot be right; give --rate or "
-                            "`rate_hz:`",
+        "rate", fmt::format("{}:{}: Frame Time: {} s is implausible; give --rate or `rate_hz:`",
                             bvh.text.file, bvh.frame_time_line, bvh.frame_s));
   }
   return resolve_rate_hz(plausible ? 1 / bvh.frame_s : 0, conventions, bvh.text.file, reports);
@@ -104,14 +102,14 @@ void drop_first_frame(BodyStream& body) {
 void report_file(const BvhFile& bvh, std::vector<std::string>& reports) {
   const auto frames = static_cast<std::size_t>(bvh.rows.rows());
   if (frames != bvh.declared_frame_count) {
-    reports.push_back(fmt::format("'Frames:' says {}, the file holds {}: those were taken",
+    reports.push_back(fmt::format("'Frames:' is {}, but the file has {} frames; all are used",
                                   bvh.declared_frame_count, frames));
   }
   const BvhJoint& root = bvh.joints[0];
   const bool moved = std::ranges::any_of(root.channels, [](const auto& c) { return !c.rotates; });
   if (moved && root.offset.norm() > 0) {
     reports.push_back(fmt::format(
-        "the root's position channels stand for its OFFSET ({} {} {}), which was not added",
+        "the position channels of the root replace its OFFSET ({} {} {}), which is not added",
         root.offset.x(), root.offset.y(), root.offset.z()));
   }
 }
@@ -129,10 +127,11 @@ bool recognises_bvh(std::string_view head) {
 Demonstration read_bvh(const RecordingFiles& files) {
   const BvhFile bvh = read_bvh_file(files.file);
   if (!files.static_trial.empty()) {
-    throw InputError(fmt::format("{}: static: this format has no static trial", bvh.text.file));
+    throw InputError(
+        fmt::format("{}: static_trial: this format has no static trial", bvh.text.file));
   }
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   reports = bvh.text.notes;
   report_file(bvh, reports);
   const double rate_hz = frame_rate(bvh, files.conventions, reports);
@@ -159,7 +158,7 @@ Demonstration read_bvh(const RecordingFiles& files) {
   if (starts_with_rest_pose(body)) {
     drop_first_frame(body);
     reports.push_back(
-        "the first frame was left out: it is a pose, from which joints jump to the second");
+        "first frame skipped: it is a rest pose, from which the joints jump to the second frame");
   }
   const std::string& axes = files.conventions.axes;
   const Eigen::Matrix3d world = axes.empty()

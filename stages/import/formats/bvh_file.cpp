@@ -53,7 +53,8 @@ class Tokenizer {
 
   void expect(std::string_view word) {
     const std::string found(next());
-    if (to_lower(found) != to_lower(word)) fail(word, fmt::format("expected, not '{}'", found));
+    if (to_lower(found) != to_lower(word))
+      fail(word, fmt::format("expected here, not '{}'", found));
   }
 
   [[noreturn]] void fail(std::string_view key, std::string_view message) const {
@@ -102,7 +103,7 @@ class Hierarchy {
       } else if (word.empty()) {
         words_.fail(joint().name, "the file ends inside this joint");
       } else {
-        words_.fail(joint().name, fmt::format("'{}' cannot stand here", found));
+        words_.fail(joint().name, fmt::format("'{}' is not allowed here", found));
       }
     }
   }
@@ -119,7 +120,7 @@ class Hierarchy {
 
   void open(const std::string& name, bool is_end = false) {
     if (name.empty()) words_.fail("", "a joint has no name");
-    if (!names_.insert(name).second) words_.fail(name, "the joint stands twice");
+    if (!names_.insert(name).second) words_.fail(name, "the joint appears twice");
     if (joints_.size() == kMaxJointCount) {
       words_.fail(name, fmt::format("the skeleton has more than {} joints", kMaxJointCount));
     }
@@ -147,10 +148,10 @@ class Hierarchy {
     for (int k = 0; k < static_cast<int>(count); ++k) {
       const std::string_view word = words_.next();
       const std::optional<BvhChannel> channel = channel_of(word);
-      if (!channel) words_.fail("CHANNELS", fmt::format("'{}' is no channel", word));
+      if (!channel) words_.fail("CHANNELS", fmt::format("'{}' is not a channel", word));
       for (const BvhChannel& other : joint().channels) {
         if (other.rotates == channel->rotates && other.axis == channel->axis) {
-          words_.fail("CHANNELS", fmt::format("{} stands twice", word));
+          words_.fail("CHANNELS", fmt::format("{} appears twice", word));
         }
       }
       joint().channels.push_back(*channel);
@@ -201,8 +202,9 @@ void read_row(const files::CsvText& text, std::size_t line, Eigen::Index channel
     at = end;
   }
   if (count != channels) {
-    text.fail(line, "MOTION",
-              fmt::format("the row has {} numbers, the skeleton {} channels", count, channels));
+    text.fail(
+        line, "MOTION",
+        fmt::format("the row has {} numbers, but the skeleton has {} channels", count, channels));
   }
 }
 
@@ -228,7 +230,7 @@ BvhFile read_bvh_file(const std::filesystem::path& file) {
   for (std::size_t line = words.line() + 1; line <= text.lines.size(); ++line) {
     if (!std::ranges::all_of(text.lines[line - 1], is_blank)) row_lines.push_back(line);
   }
-  if (row_lines.empty()) text.fail(text.lines.size(), "MOTION", "the file holds no frame");
+  if (row_lines.empty()) text.fail(text.lines.size(), "MOTION", "the file has no frames");
   Eigen::Index channels = 0;
   for (const BvhJoint& joint : bvh.joints) {
     channels += static_cast<Eigen::Index>(joint.channels.size());

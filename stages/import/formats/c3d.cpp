@@ -25,18 +25,20 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
                                    const Conventions& conventions) {
   C3dPoints points = read_c3d_points(file);
   MarkerRecording recording;
-  recording.reports = std::move(points.reports);
+  recording.import_notes = std::move(points.import_notes);
   for (char& c : points.unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const std::string source = file.string();
-  const double metres = resolve_unit_m(points.unit, conventions, source, recording.reports);
-  const double rate_hz = resolve_rate_hz(points.rate_hz, conventions, source, recording.reports);
+  const double metres = resolve_unit_m(points.unit, conventions, source, recording.import_notes);
+  const double rate_hz =
+      resolve_rate_hz(points.rate_hz, conventions, source, recording.import_notes);
   const Vec3 right = axis_of(points.x_screen), up = axis_of(points.y_screen);
   const Vec3 forward = up.cross(right);
   if (conventions.axes.empty() && !forward.isZero()) {
     recording.axes = fmt::format("{} {} {}", axis_word(right), axis_word(forward), axis_word(up));
-    recording.reports.push_back(fmt::format(
-        "axes '{}' from POINT:X_SCREEN and Y_SCREEN, as if the subject looked into the screen",
-        recording.axes));
+    recording.import_notes.push_back(
+        fmt::format("axes '{}' from POINT:X_SCREEN and Y_SCREEN; the subject is assumed to face "
+                    "into the screen",
+                    recording.axes));
   }
   MarkerStream& markers = recording.markers;
   markers.names = std::move(points.labels);

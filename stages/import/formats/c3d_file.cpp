@@ -32,7 +32,7 @@ C3dBytes read_bytes(const std::filesystem::path& file) {
   }
   C3dBytes bytes{file.string(), std::string((std::istreambuf_iterator<char>(stream)), {})};
   bytes.require(0, kBlockSize_bytes, "the header");
-  if (bytes.byte(1) != kMagic) bytes.fail(1, "must be 0x50: this is no C3D file");
+  if (bytes.byte(1) != kMagic) bytes.fail(1, "must be 0x50: this is not a C3D file");
   return bytes;
 }
 
@@ -40,11 +40,12 @@ C3dBytes read_bytes(const std::filesystem::path& file) {
 std::size_t find_parameters(C3dBytes& bytes) {
   if (bytes.byte(0) == 0) bytes.fail(0, "the parameters must begin at block 1 or later");
   const std::size_t start = (bytes.byte(0) - std::size_t{1}) * kBlockSize_bytes;
-  bytes.require(start, kBlockSize_bytes, "the section of parameters");
+  bytes.require(start, kBlockSize_bytes, "the parameter section");
   const std::uint8_t processor = bytes.byte(start + 3);
   if (processor < 84 || processor > 86) {
     bytes.fail(start + 3,
-               fmt::format("processor {} is none of 84 (Intel), 85 (DEC), 86 (SGI)", processor));
+               fmt::format("processor {} is unknown; must be 84 (Intel), 85 (DEC) or 86 (SGI)",
+                           processor));
   }
   bytes.processor = static_cast<C3dProcessor>(processor);
   return start;
@@ -67,13 +68,14 @@ double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3d
     const double first = start[0] + 65536 * start[1], last = end[0] + 65536 * end[1];
     count = last - first + 1;
     if (!(first >= 0 && first < 65536 * 65536.0)) {
-      parameters.fail("TRIAL:ACTUAL_START_FIELD", fmt::format("{} is no frame", first));
+      parameters.fail("TRIAL:ACTUAL_START_FIELD", fmt::format("{} is not a frame number", first));
     }
     points.first_frame = static_cast<std::size_t>(first);
   }
   const auto compare = [&](const char* place, double says) {
     if (says == count || (count >= kLargestWord && says <= kLargestWord)) return;
-    points.reports.push_back(fmt::format("{} says {} frames; {} were read", place, says, count));
+    points.import_notes.push_back(
+        fmt::format("{} states {} frames; {} were read", place, says, count));
   };
   compare("the header", in_header);
   compare("POINT:FRAMES", in_point);
@@ -86,8 +88,8 @@ std::size_t analog_count(const C3dHeader& header, const C3dParameters& parameter
   const double used = parameters.number("ANALOG:USED", kUnknown);
   const double expected = used * static_cast<double>(header.analog_per_frame);
   if (expected == expected && expected != static_cast<double>(header.analog)) {
-    parameters.fail("ANALOG:USED", fmt::format("{} channels with {} samples a frame are not the {} "
-                                               "values a frame of the header",
+    parameters.fail("ANALOG:USED", fmt::format("{} channels with {} samples per frame contradict "
+                                               "the {} values per frame of the header",
                                                used, header.analog_per_frame, header.analog));
   }
   return header.analog;
@@ -96,9 +98,10 @@ std::size_t analog_count(const C3dHeader& header, const C3dParameters& parameter
 double scale_of(const C3dHeader& header, const C3dParameters& parameters) {
   const double scale = parameters.number("POINT:SCALE", header.scale);
   if (!std::isfinite(scale) || scale == 0 || (scale < 0) != (header.scale < 0)) {
-    parameters.fail("POINT:SCALE", fmt::format("{} here and {} in the header do not say whether "
-                                               "points are floats or integers",
-                                               scale, header.scale));
+    parameters.fail("POINT:SCALE",
+                    fmt::format("{} here and {} in the header contradict each other on whether "
+                                "points are floats or integers",
+                                scale, header.scale));
   }
   return scale;
 }
@@ -112,8 +115,8 @@ std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
   double block = parameters.number("POINT:DATA_START", in_header);
   if (block == 0 && in_header == 0) {
     reports.push_back(fmt::format(
-        "neither the header nor POINT:DATA_START says where points begin: read from block {}, "
-        "behind the parameters",
+        "neither the header nor POINT:DATA_START states where points begin; read from block {}, "
+        "after the parameters",
         behind_parameters));
     return (behind_parameters - 1) * kBlockSize_bytes;
   }
@@ -122,8 +125,8 @@ std::size_t data_start(const C3dHeader& header, const C3dParameters& parameters,
     parameters.fail("POINT:DATA_START", fmt::format("no points at block {}", block));
   if (block != in_header) {
     reports.push_back(
-        fmt::format("the header says that points begin at block {}; they were read "
-                    "from {}, as POINT:DATA_START says",
+        fmt::format("points begin at block {} according to the header; they were read from block "
+                    "{}, according to POINT:DATA_START",
                     in_header, block));
   }
   return (static_cast<std::size_t>(block) - 1) * kBlockSize_bytes;
@@ -148,12 +151,13 @@ std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_
       ++unnamed;
     }
     if (!known.insert(labels[k]).second) {
-      parameters.fail("POINT:LABELS", fmt::format("'{}' stands twice", labels[k]));
+      parameters.fail("POINT:LABELS", fmt::format("'{}' appears twice", labels[k]));
     }
   }
   if (unnamed > 0) reports.push_back(fmt::format("points without a name: {}", unnamed));
   if (named > points) {
-    reports.push_back(fmt::format("POINT:LABELS names {} points, {} are there", named, points));
+    reports.push_back(
+        fmt::format("POINT:LABELS has {} names, but there are {} points", named, points));
   }
   return labels;
 }
@@ -187,28 +191,28 @@ C3dPoints read_c3d_points(const std::filesystem::path& file) {
                     fmt::format("{} points here, {} in the header", used, header.points));
   }
   C3dPoints points;
-  points.labels = read_labels(parameters, header.points, points.reports);
+  points.labels = read_labels(parameters, header.points, points.import_notes);
   points.unit = parameters.text("POINT:UNITS");
   points.x_screen = parameters.text("POINT:X_SCREEN");
   points.y_screen = parameters.text("POINT:Y_SCREEN");
   points.rate_hz = parameters.number("POINT:RATE", header.rate_hz);
   const double scale = scale_of(header, parameters);
   const std::size_t behind_parameters = bytes.byte(0) + std::size_t{bytes.byte(parameters_at + 2)};
-  const std::size_t start = data_start(header, parameters, behind_parameters, points.reports);
+  const std::size_t start = data_start(header, parameters, behind_parameters, points.import_notes);
   const std::size_t frame_bytes =
       (4 * header.points + analog_count(header, parameters)) * (scale < 0 ? 4 : 2);
   const double frames = frame_count(header, parameters, points);
   const std::size_t there = (bytes.size() - std::min(start, bytes.size())) / frame_bytes;
   if (!(frames >= 1 && frames <= static_cast<double>(there))) {
-    parameters.fail(
-        "POINT:FRAMES",
-        fmt::format("{} frames from byte {} on are promised, {} are there", frames, start, there));
+    parameters.fail("POINT:FRAMES",
+                    fmt::format("{} frames are stated from byte {} on, but the file has {}", frames,
+                                start, there));
   }
   points.position = Array2D<Vec3>(static_cast<std::size_t>(frames), header.points, unknown_point());
   read_points(bytes, start, frame_bytes, scale, points.position);
   const std::size_t behind = bytes.size() - start - points.position.rows * frame_bytes;
   if (behind >= kBlockSize_bytes) {
-    points.reports.push_back(fmt::format("{} bytes behind the last frame were left out", behind));
+    points.import_notes.push_back(fmt::format("{} bytes after the last frame skipped", behind));
   }
   return points;
 }

@@ -17,7 +17,7 @@ struct C3dPoints {
   double rate_hz = 0;               ///< POINT:RATE, otherwise the header's
   std::size_t first_frame = 1;      ///< number of the first frame
   Array2D<Vec3> position;  ///< [N, K], NaN if not seen: residual below zero, or not a number
-  std::vector<std::string> reports;  ///< disagreements of header, parameters and data
+  std::vector<std::string> import_notes;  ///< disagreements of header, parameters and data
 };
 
 /// Reads header, parameters and points, skipping analog samples. Intel, DEC and SGI processors,

@@ -40,7 +40,7 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
     if (length == 0) break;
     const int group = signed_byte(bytes, offset + 1);
     const std::string name = to_upper(bytes.text(offset + 2, length));
-    if (!is_printable(name)) bytes.fail(offset + 2, "a parameter's name is no text");
+    if (!is_printable(name)) bytes.fail(offset + 2, "a parameter's name is not text");
     const std::size_t after_name = offset + 2 + length;
     const std::size_t step = bytes.word(after_name);
     if (group < 0) {
@@ -77,7 +77,7 @@ C3dParameters::Record C3dParameters::read_record(std::size_t offset, std::size_t
   const std::size_t size = record.count * static_cast<std::size_t>(std::abs(record.type));
   bytes_.require(record.offset, size, "parameter " + name);
   if (record.offset + size > end) {
-    bytes_.fail(record.offset, fmt::format("parameter {} reaches into the next one", name));
+    bytes_.fail(record.offset, fmt::format("parameter {} overlaps the next one", name));
   }
   return record;
 }
@@ -101,13 +101,13 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
   const auto found = records_.find(key);
   if (found == records_.end()) return {};
   const Record& record = found->second;
-  if (record.type >= 0) fail(key, "must be a text");
+  if (record.type >= 0) fail(key, "must be text");
   const std::size_t length = record.dimensions.empty() ? 1 : record.dimensions[0];
   std::vector<std::string> texts;
   for (std::size_t at = 0; length > 0 && at < record.count; at += length) {
     std::string& text = texts.emplace_back(bytes_.text(record.offset + at, length));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
-    if (!is_printable(text)) fail(key, "holds what is no text");
+    if (!is_printable(text)) fail(key, "contains characters that are not text");
     if (!files::is_utf8(text)) text = files::utf8_from_latin1(text);
   }
   return texts;

@@ -62,7 +62,7 @@ class HeaderReader {
     std::set<std::string_view> known;
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (cells[c].empty()) csv_.fail(1, fmt::format("column {}", c + 1), "has no name");
-      if (!known.insert(cells[c]).second) csv_.fail(1, cells[c], "the column stands twice");
+      if (!known.insert(cells[c]).second) csv_.fail(1, cells[c], "the column appears twice");
       columns_.names.emplace_back(cells[c]);
       add(c, cells[c]);
     }
@@ -74,7 +74,7 @@ class HeaderReader {
       if (!tracked && body.name.ends_with(kJointSuffix))
         body.name.resize(body.name.size() - kJointSuffix.size());
       if (std::ranges::find(among, body.name, &Columns::Body::name) != among.end()) {
-        csv_.fail(1, body.name, "two columns' names become that");
+        csv_.fail(1, body.name, "two columns get this name");
       }
       among.push_back(std::move(body));
     }
@@ -82,7 +82,7 @@ class HeaderReader {
     for (std::size_t k = 1; k < columns_.glove.size(); ++k) {
       const auto& sensor = columns_.glove[k];
       if (sensor.sensor == columns_.glove[k - 1].sensor) {
-        csv_.fail(1, columns_.names[sensor.column], "the sensor stands twice");
+        csv_.fail(1, columns_.names[sensor.column], "the sensor appears twice");
       }
     }
     return std::move(columns_);
@@ -120,7 +120,7 @@ class HeaderReader {
       unit = Unit::raw;
     const auto sensor = std::ranges::find(human::kGloveSensors, mapped_name(name));
     if (sensor == std::end(human::kGloveSensors)) return false;
-    if (!unit) csv_.fail(1, column, "must say its unit: end in _deg, _rad or _raw");
+    if (!unit) csv_.fail(1, column, "unit missing: must end in _deg, _rad or _raw");
     columns_.glove.push_back(
         {static_cast<std::size_t>(sensor - std::begin(human::kGloveSensors)), c, *unit});
     return true;
@@ -137,7 +137,7 @@ class HeaderReader {
     Columns::Body& body = find_or_add_body(part.name);
     const auto put = [&](std::size_t& where) {
       if (where != Columns::kNoColumn) {
-        csv_.fail(1, columns_.names[c], fmt::format("{} has that twice", body.name));
+        csv_.fail(1, columns_.names[c], fmt::format("{} has this column twice", body.name));
       }
       where = c;
     };
@@ -147,7 +147,8 @@ class HeaderReader {
       const bool first =
           body.position == std::array{Columns::kNoColumn, Columns::kNoColumn, Columns::kNoColumn};
       put(body.position[axis]);
-      if (!first && body.unit != part.unit) csv_.fail(1, columns_.names[c], "is in another unit");
+      if (!first && body.unit != part.unit)
+        csv_.fail(1, columns_.names[c], "has another unit than the other columns of the body");
       body.unit = part.unit;
       return;
     }
@@ -155,17 +156,18 @@ class HeaderReader {
     const auto turn =
         quaternion ? Columns::RotationFormat::quaternion : Columns::RotationFormat::euler;
     if (body.rotation_format != Columns::RotationFormat::none && body.rotation_format != turn) {
-      csv_.fail(1, columns_.names[c], "the body has a quaternion and Euler angles: one is enough");
+      csv_.fail(1, columns_.names[c],
+                "the body has both a quaternion and Euler angles; remove one");
     }
     const bool first = body.rotation_format == Columns::RotationFormat::none;
     body.rotation_format = turn;
     if (quaternion)
       return put(body.rotation[last == 'w' ? 0 : static_cast<std::size_t>(last - 'w')]);
     if (part.unit.empty())
-      csv_.fail(1, columns_.names[c], "must say its unit: end in _deg or _rad");
+      csv_.fail(1, columns_.names[c], "unit missing: must end in _deg or _rad");
     const double radians = part.unit == "deg" ? kRadPerDegree : 1;
     if (!first && body.radians_per_unit != radians)
-      csv_.fail(1, columns_.names[c], "is in another unit");
+      csv_.fail(1, columns_.names[c], "has another unit than the other columns of the body");
     body.radians_per_unit = radians;
     put(body.rotation[part.part == "azimuth" ? 0 : part.part == "elevation" ? 1 : 2]);
   }

@@ -30,7 +30,7 @@ bool is_complete(const files::CsvText& csv, std::size_t row, std::span<const dou
   std::size_t found = 0;
   for (const std::size_t c : columns) found += std::isfinite(values[c]) ? 1 : 0;
   if (found != 0 && found != columns.size()) {
-    csv.fail(row + 2, key, fmt::format("has some of {} but not all", what));
+    csv.fail(row + 2, key, fmt::format("has only some of {}", what));
   }
   return found != 0;
 }
@@ -64,7 +64,8 @@ Quat rotation_of(const CaptureFrame& place, const Columns::Body& body, std::size
     }
     constexpr double kMaxNormError = 0.02, kNormRoundingTolerance = 1e-6;
     if (!(off < kMaxNormError)) {
-      place.csv.fail(row + 2, body.name, fmt::format("its quaternion has the norm {:.4g}", norm));
+      place.csv.fail(row + 2, body.name,
+                     fmt::format("its quaternion has norm {:.4g}, must be 1", norm));
     }
     if (off > kNormRoundingTolerance) ++repairs.normalised;
     repairs.worst = std::max(repairs.worst, off);
@@ -76,7 +77,8 @@ Quat rotation_of(const CaptureFrame& place, const Columns::Body& body, std::size
     }
     for (std::size_t k = 0; k < 3; ++k) {
       if (std::abs(at(k) * body.radians_per_unit) > 2 * std::numbers::pi + 0.01) {
-        place.csv.fail(row + 2, body.name, "an angle is more than a turn: is its unit right?");
+        place.csv.fail(row + 2, body.name,
+                       "an angle is more than 360 degrees; is the unit correct?");
       }
     }
     recorded = Eigen::AngleAxisd(at(0) * body.radians_per_unit, Vec3::UnitZ()) *
@@ -91,7 +93,7 @@ void report_never_seen(const std::vector<std::string>& names, const Array2D<Vec3
   for (std::size_t k = 0; k < names.size(); ++k) {
     bool once = false;
     for (std::size_t i = 0; i < position.rows && !once; ++i) once = is_known(position(i, k));
-    if (!once) reports.push_back(fmt::format("{} was never seen", names[k]));
+    if (!once) reports.push_back(fmt::format("{} is never visible", names[k]));
   }
 }
 
@@ -115,8 +117,9 @@ void read_bodies(const CaptureFrame& place, const Columns& columns, const Captur
     constexpr double kMaxSensorDistance_m = 30;  // [m]
     for (const Vec3& point : stream.position.values) {
       if (point.norm() > kMaxSensorDistance_m) {
-        throw InputError(fmt::format("{}: unit: a sensor is {:.3g} m away; is the unit right?",
-                                     place.csv.file, point.norm()));
+        throw InputError(
+            fmt::format("{}: unit: a sensor is {:.3g} m from the origin; is the unit correct?",
+                        place.csv.file, point.norm()));
       }
     }
   };
@@ -132,11 +135,12 @@ void read_bodies(const CaptureFrame& place, const Columns& columns, const Captur
     }
   }
   if (repairs.normalised > 0) {
-    reports.push_back(fmt::format("{} quaternions were off unit norm by up to {:.2g}: normalised",
-                                  repairs.normalised, repairs.worst));
+    reports.push_back(
+        fmt::format("{} quaternions normalised; their norm differed from 1 by up to {:.2g}",
+                    repairs.normalised, repairs.worst));
   }
   if (repairs.zero > 0) {
-    reports.push_back(fmt::format("{} quaternions are zero: taken as not seen", repairs.zero));
+    reports.push_back(fmt::format("{} quaternions are zero; treated as not visible", repairs.zero));
   }
 }
 
@@ -144,10 +148,9 @@ CaptureFrame capture_frame_of(const files::CsvText& csv, const Columns& columns,
                               const Conventions& conventions, std::vector<std::string>& reports) {
   if (conventions.axes.empty()) {
     throw UnresolvedConvention(
-        "axes",
-        fmt::format("{}: axes: the file does not say which axes point right, forward and up; give "
-                    "--axes or `axes:` such as 'x y z'",
-                    csv.file));
+        "axes", fmt::format("{}: axes: the file does not state which axes point right, forward and "
+                            "up; give --axes or `axes:` such as 'x y z'",
+                            csv.file));
   }
   CaptureFrame place{csv, world_from_recorded(conventions.axes, csv.file), 1};
   bool unsaid = false, said_otherwise = false;
@@ -161,7 +164,7 @@ CaptureFrame capture_frame_of(const files::CsvText& csv, const Columns& columns,
   if (unsaid) place.metres = resolve_unit_m("", conventions, csv.file, reports);
   if (said_otherwise) {
     reports.push_back(
-        fmt::format("columns name their own unit: the given {} is used only where they do not",
+        fmt::format("some columns state their unit; the given {} is used only for the others",
                     conventions.unit));
   }
   return place;
@@ -176,16 +179,18 @@ Streams read_capture_file(const std::filesystem::path& file, const RecordingFile
   std::vector<std::string> said = csv.notes;
   const bool placed = !columns.bodies.empty() || !columns.points.empty();
   if (!placed && columns.glove.empty()) {
-    csv.fail(1, "", "names neither a tracked body (NAME_x_m …, NAME_qw …) nor a glove's sensor");
+    csv.fail(1, "",
+             "has neither columns of a tracked body (NAME_x_m …, NAME_qw …) nor of a glove sensor");
   }
   double rate_hz = 0;
   if (columns.time == Columns::kNoColumn) {
     if (columns.frame == Columns::kNoColumn) csv.fail(1, "time_s", "the column is missing");
     rate_hz = resolve_rate_hz(0, files.conventions, csv.file, said);
-    said.push_back(fmt::format("time is counted from the first frame, {} a second", rate_hz));
+    said.push_back(
+        fmt::format("time computed from the frame numbers, {} frames per second", rate_hz));
   }
   if (!columns.left_out.empty()) {
-    said.push_back(fmt::format("columns left out: {}", fmt::join(columns.left_out, ", ")));
+    said.push_back(fmt::format("columns skipped: {}", fmt::join(columns.left_out, ", ")));
   }
   const CaptureTable rows = read_capture_table(csv, columns, rate_hz);
   Streams streams;

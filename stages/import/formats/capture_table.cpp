@@ -35,7 +35,7 @@ CaptureTable read_capture_table(const files::CsvText& csv, const Columns& column
     const auto cells = csv.cells(line);
     if (cells.size() != rows.columns) {
       csv.fail(line, "",
-               fmt::format("the row has {} cells, the header {}", cells.size(), rows.columns));
+               fmt::format("the row has {} cells, the header has {}", cells.size(), rows.columns));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
       rows.values.push_back(!needed[c] || is_missing_cell(cells[c])
@@ -48,10 +48,10 @@ CaptureTable read_capture_table(const files::CsvText& csv, const Columns& column
     const double t = (now - first) * step;
     constexpr double kHour = 3600;
     if (!rows.time.empty() && !(t > rows.time.back())) {
-      csv.fail(line, columns.names[clock], "does not follow the row before");
+      csv.fail(line, columns.names[clock], "must be greater than in the previous row");
     }
     if (!rows.time.empty() && t - rows.time.back() > kHour) {
-      csv.fail(line, columns.names[clock], "jumps by more than an hour");
+      csv.fail(line, columns.names[clock], "increases by more than one hour");
     }
     rows.time.push_back(t);
   }

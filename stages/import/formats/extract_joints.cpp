@@ -101,8 +101,8 @@ void extract_joints(Side hand, Demonstration& demonstration) {
       }
     }
     if (!moves_in_world(keypoints)) {
-      demonstration.reports.push_back(
-          "the points are a hand without an arm that goes nowhere: only its shape is taken from "
+      demonstration.import_notes.push_back(
+          "the points are of a hand that stays in place, without an arm; only its shape is used "
           "them");
       demonstration.streams.hand = std::move(keypoints);
       return;
@@ -110,8 +110,8 @@ void extract_joints(Side hand, Demonstration& demonstration) {
   }
   joints.parents.assign(joints.names.size(), "");
   joints.orientation = Array2D<Quat>(rows, joints.names.size(), unknown_rotation());
-  demonstration.reports.push_back(
-      fmt::format("{} points were taken for joint centres, by their names", joints.names.size()));
+  demonstration.import_notes.push_back(
+      fmt::format("{} points are used as joint centres, by their names", joints.names.size()));
   demonstration.streams.skeleton = std::move(joints);
 }
 

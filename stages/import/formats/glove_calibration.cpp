@@ -9,12 +9,12 @@ namespace morphe::imports {
 
 std::map<std::string, SensorCalibration> read_glove_calibration(const std::filesystem::path& file) {
   const config::ConfigNode root = config::ConfigNode::load(file);
-  if (!root.is_map()) root.fail("must map a glove's sensors to their calibration points");
+  if (!root.is_map()) root.fail("must map glove sensors to their calibration points");
   std::map<std::string, SensorCalibration> calibration;
   for (const std::string& sensor : root.keys()) {
     const config::ConfigNode node = root[sensor];
     if (std::ranges::find(human::kGloveSensors, sensor) == std::end(human::kGloveSensors)) {
-      node.fail("is no sensor of a CyberGlove II");
+      node.fail("is not a sensor of a CyberGlove II");
     }
     const SensorCalibration points = {node["raw_low"].number(), node["angle_low"].number(),
                                       node["raw_high"].number(), node["angle_high"].number()};

@@ -33,8 +33,9 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
     std::erase(missing, name);
     const auto raw = calibration.find(name);
     if (unit == Unit::raw && raw == calibration.end()) {
-      csv.fail(1, columns.names[column],
-               "raw counts need two calibration points: give them in the glove_calibration");
+      csv.fail(
+          1, columns.names[column],
+          "raw counts need two calibration points; give them in the file of glove_calibration");
     }
     bool once = false;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -46,17 +47,17 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
                                                    : value;
       if (std::abs(angle) > std::numbers::pi) {
         csv.fail(static_cast<std::size_t>(i) + 2, columns.names[column],
-                 "is more than half a turn: is its unit right?");
+                 "is more than 180 degrees; is the unit correct?");
       }
       hand.angles(i, static_cast<Eigen::Index>(sensor)) = angle;
     }
     if (!once) never.push_back(name);
   }
   if (!missing.empty()) {
-    reports.push_back(fmt::format("the glove has no sensor {}", fmt::join(missing, ", ")));
+    reports.push_back(fmt::format("glove sensors without a column: {}", fmt::join(missing, ", ")));
   }
   if (!never.empty()) {
-    reports.push_back(fmt::format("glove sensors without a number: {}", fmt::join(never, ", ")));
+    reports.push_back(fmt::format("glove sensors without any value: {}", fmt::join(never, ", ")));
   }
   return hand;
 }

@@ -35,14 +35,15 @@ KeypointColumns read_columns(const NamedColumns& named) {
   KeypointColumns columns;
   if (named.has("frame")) columns.frame = take("frame");
   if (named.has("time_s")) columns.time_s = take("time_s");
-  if (known.empty()) named.csv.fail(named.line, "frame", "neither this nor time_s is there");
+  if (known.empty())
+    named.csv.fail(named.line, "frame", "column not found; frame or time_s is required");
   for (std::size_t point = 0; point < kCsvKeypointCount; ++point) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       columns.of_point[point][axis] = take(column_name(point, axis));
     }
   }
   for (std::size_t c = 0; c < named.names.size(); ++c) {
-    if (!known.contains(c)) named.csv.fail(named.line, named.names[c], "the column is not known");
+    if (!known.contains(c)) named.csv.fail(named.line, named.names[c], "unknown column");
   }
   return columns;
 }
@@ -59,7 +60,7 @@ Vec3 read_point(const files::CsvText& csv, std::size_t line,
     ++filled;
   }
   if (filled != 0 && filled != 3) {
-    csv.fail(line, column_name(point, 0), "has some of x, y, z but not all");
+    csv.fail(line, column_name(point, 0), "has only some of x, y, z");
   }
   return result;
 }
@@ -70,7 +71,7 @@ double read_time(const files::CsvText& csv, std::size_t line,
   if (columns.time_s) return csv.number(line, "time_s", cells[*columns.time_s]);
   const double frame = csv.number(line, "frame", cells[*columns.frame]);
   if (frame != std::floor(frame) || frame < 0) {
-    csv.fail(line, "frame", "must be a whole number from 0");
+    csv.fail(line, "frame", "must be a whole number, at least 0");
   }
   return frame / rate_hz;
 }
@@ -90,22 +91,21 @@ void check_keypoints(const files::CsvText& csv, const HandStream& hand, bool jud
     }
   }
   if (unseen == hand.position.values.size()) {
-    reports.push_back("no point was seen in any frame");
+    reports.push_back("no point is visible in any frame");
   } else if (unseen > 0) {
     reports.push_back(
-        fmt::format("{} of {} points were not seen", unseen, hand.position.values.size()));
+        fmt::format("{} of {} points are not visible", unseen, hand.position.values.size()));
   }
   if (judged && farthest > 0 && (farthest < 0.05 || farthest > 0.5)) {
     throw UnresolvedConvention(
-        "unit", fmt::format("{}:1: unit: cannot be right: a point would be {:.3g} m from "
-                            "the wrist",
+        "unit", fmt::format("{}:1: unit: implausible: a point would be {:.3g} m from the wrist",
                             csv.file, farthest));
   }
   reports.push_back(
       centred == hand.position.rows
-          ? "the wrist is the origin of every frame: the points stay in the hand's own frame and "
-            "say nothing about where it was"
-          : "the points stay in the axes of the file; only the hand's shape is taken from them");
+          ? "the wrist is the origin in every frame: the points are in the frame of the hand and "
+            "do not show where the hand was"
+          : "the points stay in the axes of the file; only the shape of the hand is used");
 }
 
 }  // namespace
@@ -118,16 +118,17 @@ bool recognises_keypoints_csv(std::string_view head) {
 
 Demonstration read_keypoints_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
-  if (!files.static_trial.empty()) csv.fail(1, "static", "this format has no static trial");
-  if (!files.name_map.empty()) csv.fail(1, "names", "this format has no names to map");
+  if (!files.static_trial.empty()) csv.fail(1, "static_trial", "this format has no static trial");
+  if (!files.name_map.empty())
+    csv.fail(1, "names", "this format has no names to map; remove names");
   if (!files.conventions.axes.empty()) {
-    csv.fail(1, "axes", "of the points do not matter: only the hand's shape is taken from them");
+    csv.fail(1, "axes", "are not used: only the shape of the hand is used; remove axes");
   }
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
   const NamedColumns named(csv, 1);
   const KeypointColumns columns = read_columns(named);
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
   const double metres = resolve_unit_m("", files.conventions, csv.file, reports);
   const double rate_hz =
@@ -140,7 +141,8 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
     const auto cells = named.cells(line);
     hand.time.push_back(read_time(csv, line, cells, columns, rate_hz));
     if (hand.time.size() > 1 && !(hand.time.back() > hand.time[hand.time.size() - 2])) {
-      csv.fail(line, columns.time_s ? "time_s" : "frame", "does not follow the row before");
+      csv.fail(line, columns.time_s ? "time_s" : "frame",
+               "must be greater than in the previous row");
     }
     for (std::size_t point = 0; point < kCsvKeypointCount; ++point) {
       hand.position(line - named.first_row(), point) =

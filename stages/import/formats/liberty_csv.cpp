@@ -22,14 +22,16 @@ Streams read_pair(const std::filesystem::path& first, const std::filesystem::pat
   if (second.empty()) return streams;
   Streams more = read_capture_file(second, files, used, reports);
   if (!more.hand) {
-    throw InputError(fmt::format("{}:1: names no sensor of a glove", second.string()));
+    throw InputError(fmt::format("{}:1: has no column of a glove sensor", second.string()));
   }
   if (more.sensors || more.markers) {
-    throw InputError(fmt::format("{}:1: names tracked bodies besides the glove", second.string()));
+    throw InputError(
+        fmt::format("{}:1: has tracked bodies besides the glove; give them in the other file",
+                    second.string()));
   }
   if (streams.hand) {
     throw InputError(
-        fmt::format("{}: {} has the glove's sensors already", second.string(), first.string()));
+        fmt::format("{}: {} already has the glove sensors", second.string(), first.string()));
   }
   streams.hand = std::move(more.hand);
   return streams;
@@ -51,26 +53,28 @@ bool recognises_liberty_csv(std::string_view head) {
 Demonstration read_liberty_csv(const RecordingFiles& files) {
   Demonstration demonstration;
   std::vector<std::string> used, still;
-  demonstration.streams = read_pair(files.file, files.glove, files, used, demonstration.reports);
-  demonstration.calibration = read_pair(files.static_trial, files.static_glove, files, used, still);
+  demonstration.streams =
+      read_pair(files.file, files.glove, files, used, demonstration.import_notes);
+  demonstration.calibration =
+      read_pair(files.static_trial, files.glove_static_trial, files, used, still);
   for (const std::string& report : still) {
-    demonstration.reports.push_back("calibration pose: " + report);
+    demonstration.import_notes.push_back("calibration pose: " + report);
   }
   for (const auto& entry : files.name_map) {
     if (std::ranges::find(used, entry.first) == used.end()) {
-      throw InputError(fmt::format("{}: names: '{}' is renamed but was not recorded",
+      throw InputError(fmt::format("{}: names: '{}' is to be renamed but is not in the recording",
                                    files.file.string(), entry.first));
     }
   }
   if (demonstration.calibration.sensors && demonstration.streams.sensors) {
     demonstration.sensor_offsets =
-        human::sensor_offsets(demonstration.calibration, demonstration.reports);
+        human::sensor_offsets(demonstration.calibration, demonstration.import_notes);
   } else if (demonstration.streams.sensors) {
-    demonstration.reports.push_back(
-        "no calibration pose: the sensors are taken to stand at the joints");
+    demonstration.import_notes.push_back(
+        "no calibration pose: the sensors are assumed to be at the joints");
   }
   if (demonstration.streams.hand && !demonstration.calibration.hand) {
-    demonstration.reports.push_back("no flat hand was recorded: the glove's own zero is used");
+    demonstration.import_notes.push_back("no flat hand recorded: the zero of the glove is used");
   }
   return demonstration;
 }

@@ -28,14 +28,15 @@ std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_
     const bool begins_marker = (c - MarkerColumns::kLeadingCount) % 3 == 0;
     if (begins_marker == cells[c].empty()) {
       csv.fail(line, fmt::format("column {}", c + 1),
-               begins_marker ? "has no marker name"
-                             : fmt::format("'{}' stands where no marker begins", cells[c]));
+               begins_marker
+                   ? "has no marker name"
+                   : fmt::format("unexpected '{}': no marker begins in this column", cells[c]));
     }
     if (!begins_marker) continue;
-    if (!known.insert(cells[c]).second) csv.fail(line, cells[c], "the marker stands twice");
+    if (!known.insert(cells[c]).second) csv.fail(line, cells[c], "the marker appears twice");
     names.emplace_back(cells[c]);
   }
-  if (names.empty()) csv.fail(line, "", "names no marker");
+  if (names.empty()) csv.fail(line, "", "has no marker names");
   return names;
 }
 
@@ -44,7 +45,7 @@ void read_points(const files::CsvText& csv, std::size_t line,
                  double metres, Array2D<Vec3>& position, std::size_t row) {
   const auto wrong_count = [&](const std::string& key) {
     csv.fail(line, key,
-             fmt::format("the row has {} cells, the header {}", cells.size(), columns.count()));
+             fmt::format("the row has {} cells, the header has {}", cells.size(), columns.count()));
   };
   if (cells.size() < columns.count()) wrong_count(columns.name(cells.size()));
   for (std::size_t c = columns.count(); c < cells.size(); ++c) {
@@ -64,7 +65,7 @@ void read_points(const files::CsvText& csv, std::size_t line,
     if (filled == 3) {
       position(row, k) = point;
     } else if (filled != 0) {
-      csv.fail(line, columns.names[k], "has some of X, Y, Z but not all");
+      csv.fail(line, columns.names[k], "has only some of X, Y, Z");
     }
   }
 }

@@ -37,8 +37,8 @@ void hide_points_at_origin(MarkerRecording& recording) {
     ++hidden;
   }
   if (hidden > 0) {
-    recording.reports.push_back(
-        fmt::format("{} points stand exactly at the origin: taken as not seen", hidden));
+    recording.import_notes.push_back(
+        fmt::format("{} points are exactly at the origin; treated as not visible", hidden));
   }
 }
 
@@ -57,9 +57,9 @@ void report_never_seen(MarkerRecording& recording) {
   }
   if (markers.names.empty()) return;
   if (never.size() == markers.names.size()) {
-    recording.reports.push_back("no marker was seen in any frame");
+    recording.import_notes.push_back("no marker is visible in any frame");
   } else if (!never.empty()) {
-    recording.reports.push_back(fmt::format("never seen: {}", fmt::join(never, ", ")));
+    recording.import_notes.push_back(fmt::format("never visible: {}", fmt::join(never, ", ")));
   }
 }
 
@@ -77,11 +77,11 @@ void report_no_static(Demonstration& demonstration) {
   };
   if (!any("upper arm") && !any("forearm")) return;
   if (any("elbow, outer") && any("elbow, inner") && any("wrist, thumb") && any(" shoulder")) return;
-  demonstration.reports.push_back(
-      "no static trial: joint centres are taken where clusters turn about each other; in the "
-      "shipped "
-      "trials that put the shoulder 39 to 65 mm and elbow and wrist up to 25 mm elsewhere; give it "
-      "with --static or `static:`");
+  demonstration.import_notes.push_back(
+      "no static trial: joint centres are estimated from the relative rotation of marker clusters; "
+      "in the shipped "
+      "trials this displaced the shoulder by 39 to 65 mm, elbow and wrist by up to 25 mm; give one "
+      "with --static-trial or `static_trial:`");
 }
 
 void bring_into_world(MarkerRecording& recording, const std::string& source,
@@ -90,13 +90,13 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
   if (axes.empty()) axes = recording.axes;
   if (axes.empty() && !usual.empty()) {
     axes = usual;
-    recording.reports.push_back(fmt::format(
-        "the file does not say its axes: '{}' point right, forward and up, as is usual", usual));
+    recording.import_notes.push_back(
+        fmt::format("axes not in the file; assumed '{}' (right, forward, up)", usual));
   }
   if (axes.empty()) {
     throw UnresolvedConvention(
-        "axes", fmt::format("{}: axes: the file does not say which axes point right, "
-                            "forward and up; give --axes or `axes:` such as 'x y z'",
+        "axes", fmt::format("{}: axes: the file does not state which axes point right, forward and "
+                            "up; give --axes or `axes:` such as 'x y z'",
                             source));
   }
   const Eigen::Matrix3d turn = world_from_recorded(axes, source);
@@ -113,9 +113,10 @@ void check_extent(const MarkerRecording& recording, const std::string& source) {
   const bool whole_hand = recording.markers.names.size() >= 3;
   if (apart > kMaxMarkerSpread_m || (whole_hand && apart > 0 && apart < kMinMarkerSpread_m)) {
     throw UnresolvedConvention(
-        "unit", fmt::format("{}: unit: the markers spread over {:.3g} m; give --unit or "
-                            "`unit:` if the file's is wrong",
-                            source, apart));
+        "unit",
+        fmt::format(
+            "{}: unit: implausible: the markers extend over {:.3g} m; give --unit or `unit:`",
+            source, apart));
   }
 }
 
@@ -175,7 +176,7 @@ void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
     if (std::ranges::find(clip.body.names, knuckle) == clip.body.names.end()) continue;
     clip.hands[static_cast<std::size_t>(side)] = unseen_hand(clip.time.size());
   }
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
   check_world(clip, reports);
 }
@@ -195,7 +196,7 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   Demonstration demonstration;
   demonstration.subject = recording.subject;
   report_never_seen(recording);
-  demonstration.reports = recording.reports;
+  demonstration.import_notes = recording.import_notes;
   if (!recording.markers.names.empty() || recording.bodies.poses.names.empty()) {
     demonstration.streams.markers = std::move(recording.markers);
     extract_joints(files.hand, demonstration);
@@ -205,8 +206,8 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   if (files.static_trial.empty()) report_no_static(demonstration);
   if (!files.static_trial.empty()) {
     report_never_seen(static_recording);
-    for (const std::string& report : static_recording.reports) {
-      demonstration.reports.push_back("static trial: " + report);
+    for (const std::string& report : static_recording.import_notes) {
+      demonstration.import_notes.push_back("static trial: " + report);
     }
     demonstration.calibration.markers = std::move(static_recording.markers);
   }

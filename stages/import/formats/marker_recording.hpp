@@ -10,11 +10,11 @@ namespace morphe::imports {
 
 /// The contents of a file of markers, in its own axes, but in metres.
 struct MarkerRecording {
-  MarkerStream markers;              ///< markers [m]
-  RigidBodies bodies;                ///< on the markers' clock, if the format has them
-  std::string subject;               ///< "" if absent
-  std::string axes;                  ///< as Conventions::axes; "" if absent
-  std::vector<std::string> reports;  ///< assumptions and repairs
+  MarkerStream markers;                   ///< markers [m]
+  RigidBodies bodies;                     ///< on the markers' clock, if the format has them
+  std::string subject;                    ///< "" if absent
+  std::string axes;                       ///< as Conventions::axes; "" if absent
+  std::vector<std::string> import_notes;  ///< assumptions and repairs
 };
 
 /// Reads a recording and its static trial into the world. The axes are the given ones, otherwise

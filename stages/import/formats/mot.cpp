@@ -78,9 +78,9 @@ double radians_of(const files::CsvText& text, const MotHeader& header,
   }
   if (conventions.unit == "deg") return kRadPerDegree;
   if (conventions.unit == "rad") return 1;
-  text.fail(header.end, "inDegrees",
-            "the header does not say whether angles are in degrees; give --unit or `unit:` deg or "
-            "rad");
+  text.fail(
+      header.end, "inDegrees",
+      "the header does not state whether angles are in degrees; give --unit or `unit:` deg or rad");
 }
 
 /// Reports a count in the header that differs from the contents.
@@ -89,8 +89,8 @@ void compare_count(const files::CsvText& text, const MotHeader& header, const st
   const auto said = header.value.find(to_lower(key));
   if (said == header.value.end()) return;
   if (text.number(header.end, key, said->second) == static_cast<double>(found)) return;
-  reports.push_back(fmt::format("{} says {}, the file holds {} {}: those were taken", key,
-                                said->second, found, what));
+  reports.push_back(fmt::format("{} is {}, but the file has {} {}; all are used", key, said->second,
+                                found, what));
 }
 
 /// Returns a number, or NaN if the cell contains "nan".
@@ -104,11 +104,11 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
   std::set<std::string> known;
   for (const std::string_view cell : cells_of(text, line)) {
     if (cell.empty()) text.fail(line, "", fmt::format("column {} has no name", columns.size() + 1));
-    if (!known.emplace(cell).second) text.fail(line, cell, "the column stands twice");
+    if (!known.emplace(cell).second) text.fail(line, cell, "the column appears twice");
     columns.emplace_back(cell);
   }
   if (columns.empty() || to_lower(columns[0]) != "time") {
-    text.fail(line, "time", "the first column must be called this");
+    text.fail(line, "time", "the first column must have this name");
   }
   return columns;
 }
@@ -124,9 +124,9 @@ bool recognises_mot(std::string_view head) {
 
 Demonstration read_mot(const RecordingFiles& files) {
   files::CsvText text = files::read_csv(files.file);
-  if (!files.static_trial.empty()) text.fail(1, "static", "this format has no static trial");
+  if (!files.static_trial.empty()) text.fail(1, "static_trial", "this format has no static trial");
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   reports = text.notes;
   const MotHeader header = read_mot_header(text);
   std::size_t line = header.end + 1;
@@ -147,19 +147,20 @@ Demonstration read_mot(const RecordingFiles& files) {
       stream.joints.push_back(columns[c]);
     }
   }
-  if (kept.empty()) text.fail(line, "", "names no joint angle");
+  if (kept.empty()) text.fail(line, "", "has no column of a joint angle");
   std::vector<double> values;
   std::size_t unseen = 0;
   for (++line; line <= text.lines.size(); ++line) {
     if (text.is_blank(line)) continue;
     const auto cells = cells_of(text, line);
     if (cells.size() != columns.size()) {
-      text.fail(line, cells.size() < columns.size() ? columns[cells.size()] : "",
-                fmt::format("the row has {} cells, the header {}", cells.size(), columns.size()));
+      text.fail(
+          line, cells.size() < columns.size() ? columns[cells.size()] : "",
+          fmt::format("the row has {} cells, the header has {}", cells.size(), columns.size()));
     }
     const double time_s = text.number(line, "time", cells[0]);
     if (!stream.time.empty() && !(time_s > stream.time.back())) {
-      text.fail(line, "time", "does not follow the row before");
+      text.fail(line, "time", "must be greater than in the previous row");
     }
     stream.time.push_back(time_s);
     for (const std::size_t c : kept) {
@@ -167,18 +168,17 @@ Demonstration read_mot(const RecordingFiles& files) {
       if (std::isnan(values.back())) ++unseen;
     }
   }
-  if (stream.time.empty()) text.fail(text.lines.size(), "", "the file holds no row");
+  if (stream.time.empty()) text.fail(text.lines.size(), "", "the file has no rows");
   stream.angles =
       Eigen::Map<const JointRows>(values.data(), static_cast<Eigen::Index>(stream.time.size()),
                                   static_cast<Eigen::Index>(kept.size()));
   compare_count(text, header, "nRows", stream.time.size(), "rows", reports);
   compare_count(text, header, "nColumns", columns.size(), "columns", reports);
   if (!left_out.empty()) {
-    reports.push_back(fmt::format("translations, which are no joint angles, were left out: {}",
-                                  fmt::join(left_out, ", ")));
+    reports.push_back(fmt::format("translations skipped: {}", fmt::join(left_out, ", ")));
   }
   if (unseen > 0) {
-    reports.push_back(fmt::format("{} of {} angles are NaN: not seen", unseen, values.size()));
+    reports.push_back(fmt::format("{} of {} angles are missing (NaN)", unseen, values.size()));
   }
   apply_name_map(text.file, files.name_map, stream.joints);
   demonstration.streams.arm_angles = std::move(stream);

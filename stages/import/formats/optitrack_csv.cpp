@@ -40,7 +40,7 @@ struct TakeRow {
       values.push_back(csv.number(line, fmt::format("{}.{}", item.name, quantity), cells[c]));
     }
     if (!values.empty() && values.size() < columns.size()) {
-      csv.fail(line, fmt::format("{}.{}", item.name, quantity), "has some of its numbers, not all");
+      csv.fail(line, fmt::format("{}.{}", item.name, quantity), "has only some of its numbers");
     }
     return values;
   }
@@ -119,7 +119,7 @@ void read_body(const TakeRow& row, const OptitrackItem& item, const std::string&
   const Quat turn = rotation_from_numbers(rotation, order);
   if (!(std::abs(turn.norm() - 1) < 0.01)) {
     row.csv.fail(row.line, fmt::format("{}.Rotation", item.name),
-                 "is no quaternion of unit length");
+                 "is not a quaternion of unit length");
   }
   bodies.position(i, k) = metres * Vec3(position[0], position[1], position[2]);
   bodies.orientation(i, k) = turn.normalized();
@@ -183,16 +183,17 @@ std::string unit_of(const OptitrackHeader& header) {
 void report_take_contents(const OptitrackHeader& header, const Take& take,
                           std::vector<std::string>& reports) {
   if (!take.measured.empty() && !take.solved.empty()) {
-    reports.push_back("markers as they were measured, not as the poses of their bodies put them");
+    reports.push_back("measured marker positions used, not those computed from the rigid bodies");
   }
   if (take.unlabelled > 0) {
-    reports.push_back(fmt::format("{} left out", count_with_noun(take.unlabelled, "unlabelled marker")));
+    reports.push_back(
+        fmt::format("{} skipped", count_with_noun(take.unlabelled, "unlabelled marker")));
   }
   if (!take.others.empty()) {
-    reports.push_back(fmt::format("columns left out: {}", fmt::join(take.others, ", ")));
+    reports.push_back(fmt::format("columns skipped: {}", fmt::join(take.others, ", ")));
   }
   if (const std::string began = header.value("Capture Start Time"); !began.empty()) {
-    reports.push_back(fmt::format("recorded at {} (as the file has it)", began));
+    reports.push_back(fmt::format("recorded at {} (time from the file)", began));
   }
 }
 
@@ -206,14 +207,15 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
   const std::string order = header.value("Rotation Type");
   check_rotations(csv, header, order, take.bodies);
   MarkerRecording recording;
-  recording.reports = csv.notes;
+  recording.import_notes = csv.notes;
   const double metres = resolve_unit_m(unit_of(header), conventions, fmt::format("{}:1", csv.file),
-                                       recording.reports);
+                                       recording.import_notes);
   const std::string said_rate = header.value("Export Frame Rate");
   const double in_file = said_rate.empty() ? 0 : csv.number(1, "Export Frame Rate", said_rate);
-  const double rate_hz = in_file > 0 || conventions.rate_hz
-                             ? resolve_rate_hz(in_file, conventions, csv.file, recording.reports)
-                             : 0;
+  const double rate_hz =
+      in_file > 0 || conventions.rate_hz
+          ? resolve_rate_hz(in_file, conventions, csv.file, recording.import_notes)
+          : 0;
   const std::size_t rows = csv.lines.size() - header.line;
   MarkerStream& stream = recording.markers;
   BodyStream& bodies = recording.bodies.poses;
@@ -226,12 +228,13 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
     const std::size_t line = header.line + 1 + i;
     const TakeRow row{csv, line, quoted_cells(csv.lines[line - 1], csv.separator)};
     if (row.cells.size() < header.cells) {
-      csv.fail(line, "",
-               fmt::format("the row has {} cells, the header {}", row.cells.size(), header.cells));
+      csv.fail(
+          line, "",
+          fmt::format("the row has {} cells, the header has {}", row.cells.size(), header.cells));
     }
     const double time_s = time_of(row, rate_hz);
     if (i > 0 && !(time_s > stream.time.back())) {
-      csv.fail(line, "Frame", "does not follow the row before");
+      csv.fail(line, "Frame", "must be greater than in the previous row");
     }
     stream.time.push_back(time_s);
     for (std::size_t k = 0; k < markers.size(); ++k) {
@@ -247,8 +250,8 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
     recording.bodies.extent.push_back(extent_of(stream, bodies, k));
     recording.bodies.bone.push_back(take.bodies[k]->type == "Bone");
   }
-  report_take_contents(header, take, recording.reports);
-  report_gaps(stream.time, rate_hz, recording.reports);
+  report_take_contents(header, take, recording.import_notes);
+  report_gaps(stream.time, rate_hz, recording.import_notes);
   return recording;
 }
 

@@ -25,11 +25,11 @@ std::string cell(const Cells& cells, std::size_t column) {
 void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
   const Cells cells = unquoted_cells(csv, 1);
   if (cell(cells, 0) != "Format Version") {
-    csv.fail(1, "", "must begin with 'Format Version': export the take with its header");
+    csv.fail(1, "", "must begin with 'Format Version'; export the take with its header");
   }
   for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.settings[cells[k]] = cells[k + 1];
   if (header.value("Coordinate Space") == "Local") {
-    csv.fail(1, "Coordinate Space", "is Local: export in Global coordinates");
+    csv.fail(1, "Coordinate Space", "is Local; export in Global coordinates");
   }
 }
 
@@ -44,7 +44,7 @@ std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader&
     }
     if (!csv.is_blank(line)) lines.push_back(line);
   }
-  csv.fail(last, "Frame", "the line 'Frame,Time' is missing: export the take with its header");
+  csv.fail(last, "Frame", "the line 'Frame,Time' is missing; export the take with its header");
 }
 
 /// Returns the columns of one quantity of an item in the order of `axes`.
@@ -77,7 +77,8 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
   read_first_line(csv, header);
   const std::vector<std::size_t> lines = lines_above(csv, header);
   if (lines.size() < 3) {
-    csv.fail(header.line, "", "types, names and quantities must stand above this line");
+    csv.fail(header.line, "",
+             "the lines of types, names and quantities are missing above this line");
   }
   const Cells types = unquoted_cells(csv, lines[0]), names = unquoted_cells(csv, lines[1]),
               quantities = unquoted_cells(csv, lines.back()),
@@ -93,7 +94,7 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
     for (; c < header.cells && cell(types, c) == item.type && cell(names, c) == item.name; ++c) {
       if (cell(axes, c).empty()) continue;  // an error or a quality
       if (!found[cell(quantities, c)].emplace(cell(axes, c), c).second) {
-        csv.fail(lines[1], item.name, "stands twice");
+        csv.fail(lines[1], item.name, "appears twice");
       }
     }
     item.position = columns_of(csv, header.line, item, "Position", found["Position"]);

@@ -40,7 +40,7 @@ Vec3 point_in_row(const files::CsvText& text, std::size_t line,
         cell_number(text, line, fmt::format("{}.{}", point.name, "xyz"[axis]), cell, header);
     ++filled;
   }
-  if (filled != 0 && filled != 3) text.fail(line, point.name, "has some of x, y, z but not all");
+  if (filled != 0 && filled != 3) text.fail(line, point.name, "has only some of x, y, z");
   return result;
 }
 
@@ -57,8 +57,9 @@ PointRows point_rows(const files::CsvText& text, const PointHeader& header, doub
     }
     while (cells.size() > header.cells && cells.back().empty()) cells.pop_back();
     if (cells.size() != header.cells) {
-      text.fail(line, "",
-                fmt::format("the row has {} cells, the last one {}", cells.size(), header.cells));
+      text.fail(
+          line, "",
+          fmt::format("the row has {} cells, but the header has {}", cells.size(), header.cells));
     }
     rows.line.push_back(line);
     if (header.time) {
@@ -73,7 +74,7 @@ PointRows point_rows(const files::CsvText& text, const PointHeader& header, doub
     }
   }
   if (rows.line.empty()) text.fail(text.lines.size(), "", "ends before the first row");
-  if (blank > 0) recording.reports.push_back(fmt::format("{} blank lines were left out", blank));
+  if (blank > 0) recording.import_notes.push_back(fmt::format("{} blank lines skipped", blank));
   recording.markers.position = Array2D<Vec3>(rows.line.size(), header.points.size(), Vec3::Zero());
   recording.markers.position.values = std::move(values);
   return rows;
@@ -91,8 +92,9 @@ double seconds_of(const TimeColumn& column, const std::vector<double>& time,
     if (column.unit == name) return seconds;
     const bool plausible = step * seconds <= kMaxRowPeriod_s && step * seconds >= kMinRowPeriod_s;
     if (!column.unit.empty() || !plausible) continue;
-    reports.push_back(fmt::format("'{}' does not say its unit: taken as {}, {:.4g} rows a second",
-                                  column.name, name, 1 / (step * seconds)));
+    reports.push_back(
+        fmt::format("unit of '{}' not in the file; assumed {}, {:.4g} rows per second", column.name,
+                    name, 1 / (step * seconds)));
     return seconds;
   }
   return 1;
@@ -102,7 +104,7 @@ void check_grows(const files::CsvText& text, const std::vector<double>& values,
                  const PointRows& rows, const std::string& column) {
   for (std::size_t i = 1; i < values.size(); ++i) {
     if (!(values[i] > values[i - 1])) {
-      text.fail(rows.line[i], column, "does not follow the row before");
+      text.fail(rows.line[i], column, "must be greater than in the previous row");
     }
   }
 }
@@ -113,14 +115,14 @@ void set_times(const files::CsvText& text, const PointHeader& header, const Poin
   if (header.time && !conventions.rate_hz) {
     check_grows(text, rows.time, rows, header.time->name);
     const double seconds =
-        rows.time.size() > 1 ? seconds_of(*header.time, rows.time, recording.reports) : 1;
+        rows.time.size() > 1 ? seconds_of(*header.time, rows.time, recording.import_notes) : 1;
     constexpr double kMaxStartTime_s = 1e5;  // more than a day: the times are absolute
     const double begin = rows.time[0] * seconds > kMaxStartTime_s ? rows.time[0] : 0;
-    if (begin > 0) recording.reports.push_back("times were counted from the first row's");
+    if (begin > 0) recording.import_notes.push_back("times are counted from that of the first row");
     for (const double value : rows.time) time.push_back((value - begin) * seconds);
     return;
   }
-  const double rate_hz = resolve_rate_hz(0, conventions, text.file, recording.reports);
+  const double rate_hz = resolve_rate_hz(0, conventions, text.file, recording.import_notes);
   if (header.frame) check_grows(text, rows.frame, rows, "frame");
   for (std::size_t i = 0; i < rows.line.size(); ++i) {
     time.push_back((header.frame ? rows.frame[i] - rows.frame[0] : static_cast<double>(i)) /
@@ -133,24 +135,25 @@ MarkerRecording read_point_file(const std::filesystem::path& file, const Convent
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
   const PointHeader header = read_point_header(text);
   if (header.points.empty()) {
-    text.fail(1, "", "no three columns are the x, y and z of a point: wrist_x, wrist_y, wrist_z");
+    text.fail(1, "",
+              "no three columns are x, y and z of a point, such as wrist_x, wrist_y, wrist_z");
   }
   MarkerRecording recording;
-  recording.reports = text.notes;
+  recording.import_notes = text.notes;
   for (const PointColumns& point : header.points) recording.markers.names.push_back(point.name);
   const double metres =
       resolve_unit_m(header.unit, conventions,
-                     fmt::format("{}:{}", text.file, header.first_row - 1), recording.reports);
+                     fmt::format("{}:{}", text.file, header.first_row - 1), recording.import_notes);
   const PointRows rows = point_rows(text, header, metres, recording);
   set_times(text, header, rows, conventions, recording);
-  if (header.decimal_comma) recording.reports.push_back("numbers have a decimal comma");
+  if (header.decimal_comma) recording.import_notes.push_back("numbers use decimal commas");
   if (header.lines_before > 0) {
-    recording.reports.push_back(
-        fmt::format("{} lines before the header were left out", header.lines_before));
+    recording.import_notes.push_back(
+        fmt::format("{} lines before the header skipped", header.lines_before));
   }
   if (!header.ignored_columns.empty()) {
-    recording.reports.push_back(fmt::format("columns that are no points were left out: {}",
-                                            fmt::join(header.ignored_columns, ", ")));
+    recording.import_notes.push_back(
+        fmt::format("columns skipped, not points: {}", fmt::join(header.ignored_columns, ", ")));
   }
   return recording;
 }

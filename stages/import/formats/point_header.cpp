@@ -114,7 +114,7 @@ void take_points(const files::CsvText& text, std::size_t line,
       auto [entry, is_new] = found.try_emplace(reading.name);
       if (is_new) order.push_back(reading.name);
       std::optional<std::size_t>& at = entry->second.at[static_cast<std::size_t>(reading.axis)];
-      if (at) text.fail(line, labels[c].text, "the column stands twice");
+      if (at) text.fail(line, labels[c].text, "the column appears twice");
       at = c;
     }
     for (const std::string& name : order) {
@@ -201,7 +201,7 @@ PointHeader read_point_header(const files::CsvText& text) {
       if (unit != header.unit) {
         text.fail(
             lines.last, point.name,
-            fmt::format("the unit '{}' differs from '{}' of the first point", unit, header.unit));
+            fmt::format("has the unit '{}', but the first point has '{}'", unit, header.unit));
       }
     }
   }

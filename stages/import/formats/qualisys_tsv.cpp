@@ -40,17 +40,17 @@ TsvHeader read_tsv_header(const files::CsvText& text) {
     if (!is_key(cells[0])) break;
     header.value.emplace(cells[0], std::pair(line, std::string(cells.size() > 1 ? cells[1] : "")));
     if (cells[0] != kMarkerNames) continue;
-    if (header.names_line > 0) text.fail(line, kMarkerNames, "stands twice");
+    if (header.names_line > 0) text.fail(line, kMarkerNames, "appears twice");
     header.names_line = line;
     for (std::size_t c = 1; c < cells.size(); ++c) header.markers.emplace_back(cells[c]);
     while (!header.markers.empty() && header.markers.back().empty()) header.markers.pop_back();
   }
   if (header.markers.empty())
-    text.fail(std::max<std::size_t>(1, header.names_line), kMarkerNames, "names no marker");
+    text.fail(std::max<std::size_t>(1, header.names_line), kMarkerNames, "has no marker names");
   std::set<std::string> known;
   for (const std::string& name : header.markers) {
     if (name.empty()) text.fail(header.names_line, kMarkerNames, "a marker has no name");
-    if (!known.insert(name).second) text.fail(header.names_line, name, "the marker stands twice");
+    if (!known.insert(name).second) text.fail(header.names_line, name, "the marker appears twice");
   }
   // An optional line names the columns: "Frame Time A X A Y A Z", or "A X …".
   while (line <= text.lines.size() && text.is_blank(line)) ++line;
@@ -77,9 +77,10 @@ std::size_t leading_columns(const files::CsvText& text, const TsvHeader& header)
   const std::size_t points = 3 * header.markers.size();
   if (cells > points + 2 && text.cells(header.first_row).back().empty()) --cells;
   if (cells < points || cells > points + 2) {
-    text.fail(header.first_row, "",
-              fmt::format("the row has {} cells; {} markers take {}, a frame and a time two", cells,
-                          header.markers.size(), points));
+    text.fail(
+        header.first_row, "",
+        fmt::format("the row has {} cells; {} markers need {}, or two more with frame and time",
+                    cells, header.markers.size(), points));
   }
   return cells - points;
 }
@@ -107,7 +108,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
     }
     stream.time.push_back(frame / rate_hz);
     if (row > 0 && !(stream.time[row] > stream.time[row - 1])) {
-      text.fail(line, "Frame", "does not follow the row before");
+      text.fail(line, "Frame", "must be greater than in the previous row");
     }
     for (std::size_t k = 0; k < markers; ++k) {
       Vec3 point;
@@ -120,7 +121,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
       }
       if (filled == 3) stream.position(row, k) = metres * point;
       if (filled != 0 && filled != 3) {
-        text.fail(line, header.markers[k], "has some of X, Y, Z but not all");
+        text.fail(line, header.markers[k], "has only some of X, Y, Z");
       }
     }
   }
@@ -131,17 +132,17 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
   const files::CsvText text = files::read_csv(file, '\t');
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
   MarkerRecording recording;
-  recording.reports = text.notes;
+  recording.import_notes = text.notes;
   const TsvHeader header = read_tsv_header(text);
   const auto included = header.value.find("DATA_INCLUDED");
   if (included != header.value.end() && included->second.second != "3D") {
     text.fail(included->second.first, "DATA_INCLUDED",
-              fmt::format("must be 3D, not '{}': export the markers", included->second.second));
+              fmt::format("must be 3D, not '{}'; export the markers", included->second.second));
   }
   const double rate_hz = resolve_rate_hz(number_in_header(text, header, "FREQUENCY"), conventions,
-                                         text.file, recording.reports);
+                                         text.file, recording.import_notes);
   if (conventions.unit.empty()) {
-    recording.reports.push_back("the file does not say its unit: mm, as Qualisys writes");
+    recording.import_notes.push_back("unit not in the file; assumed mm, as written by Qualisys");
   }
   const double metres =
       metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
@@ -152,8 +153,8 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
         std::tuple("NO_OF_FRAMES", recording.markers.time.size(), "frames")}) {
     const double said = number_in_header(text, header, key);
     if (said == 0 || said == static_cast<double>(count)) continue;
-    recording.reports.push_back(
-        fmt::format("the header says {} {}, {} are there", said, what, count));
+    recording.import_notes.push_back(
+        fmt::format("the header states {} {}, the file has {}", said, what, count));
   }
   return recording;
 }

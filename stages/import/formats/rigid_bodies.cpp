@@ -53,16 +53,16 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
   SceneObject object;
   Vec3 centre = Vec3::Zero();
   if (bodies.extent[k].isEmpty()) {
-    object = placeholder_sphere(name, demonstration.reports);
+    object = placeholder_sphere(name, demonstration.import_notes);
   } else {
     const Vec3 sizes = bodies.extent[k].sizes().cwiseMax(kMinBodyBoxSize_m);
     centre = bodies.extent[k].center();
     object.name = name;
     object.shape = Shape::box;
     object.size = {sizes.x(), sizes.y(), sizes.z()};
-    demonstration.reports.push_back(
-        fmt::format("object {}: a box of {:.0f} x {:.0f} x {:.0f} mm around the markers of the "
-                    "rigid body; `target.body` of a config gives another shape",
+    demonstration.import_notes.push_back(
+        fmt::format("object {}: assumed a box of {:.0f} x {:.0f} x {:.0f} mm around the markers of "
+                    "the rigid body; set `target.body` in a config for another shape",
                     name, 1000 * sizes.x(), 1000 * sizes.y(), 1000 * sizes.z()));
   }
   for (std::size_t i = 0; i < bodies.poses.time.size(); ++i) {
@@ -74,7 +74,7 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
     object.orientation.push_back(orientation);
   }
   if (object.time.empty()) {
-    demonstration.reports.back() = fmt::format("rigid body {}: never tracked, left out", name);
+    demonstration.import_notes.back() = fmt::format("rigid body {}: never tracked, skipped", name);
     return;
   }
   demonstration.objects.push_back(std::move(object));
@@ -104,8 +104,8 @@ void add_rigid_bodies(const RigidBodies& bodies, Demonstration& demonstration) {
   add_columns(bodies.poses, joints, true, demonstration.streams.skeleton);
   add_columns(bodies.poses, sensors, false, demonstration.streams.sensors);
   if (!tracked.empty()) {
-    demonstration.reports.push_back(
-        fmt::format("the pivots of rigid bodies are taken for joints, by their names: {}",
+    demonstration.import_notes.push_back(
+        fmt::format("the pivots of these rigid bodies are used as joints, by their names: {}",
                     fmt::join(tracked, ", ")));
   }
 }

@@ -16,11 +16,10 @@ constexpr double kMinAxisCosine = 0.9659258262890683;  // cos 15 degrees
 constexpr double kMinShoulderLevelShare = 0.7;
 
 [[noreturn]] void throw_unknown_axes(const std::string& file, const std::string& why) {
-  throw UnresolvedConvention("axes",
-                             fmt::format("{}: axes: the file does not say which of its axes point "
-                                         "right, forward and up, and {}; give "
-                                         "--axes or `axes:` such as 'x y z'",
-                                         file, why));
+  throw UnresolvedConvention(
+      "axes", fmt::format("{}: axes: the file does not state which axes point "
+                          "right, forward and up, and {}; give --axes or `axes:` such as 'x y z'",
+                          file, why));
 }
 
 /// Returns the signed coordinate axis with the largest component along a direction.
@@ -36,7 +35,7 @@ Vec3 near_axis(const Vec3& direction, const std::string& what, const std::string
   const Vec3 axis = main_axis(direction);
   if (!(axis.dot(direction) >= kMinAxisCosine * direction.norm()) || direction.norm() == 0) {
     throw_unknown_axes(
-        file, fmt::format("{} of its rest skeleton is not within 15 degrees of one of them", what));
+        file, fmt::format("in the rest skeleton {} is not within 15 degrees of an axis", what));
   }
   return axis;
 }
@@ -58,10 +57,9 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
                                     const std::string& file, std::vector<std::string>& reports) {
   const std::optional<Pair> shoulders = find_pair(body, "shoulder"), hips = find_pair(body, "hip");
   if (!shoulders) {
-    throw_unknown_axes(
-        file,
-        "no names map two of its joints to left_shoulder and right_shoulder, from which that could "
-        "be seen");
+    throw_unknown_axes(file,
+                       "the axes cannot be derived, since no joints are named left_shoulder and "
+                       "right_shoulder (see --names)");
   }
   const auto trunk = [&](const Vec3& root, const Vec3& left, const Vec3& right) -> Vec3 {
     return (left + right) / 2 - root;
@@ -76,15 +74,16 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   }
   if (main_axis(recorded_trunk) != up) {
     throw_unknown_axes(
-        file, fmt::format("its rest skeleton stands along {}, but what was recorded along {}",
-                          axis_word(up), axis_word(main_axis(recorded_trunk))));
+        file,
+        fmt::format("the trunk points along {} in the rest skeleton, but along {} in the recording",
+                    axis_word(up), axis_word(main_axis(recorded_trunk))));
   }
   Vec3 line = rest[shoulders->right] - rest[shoulders->left];
   const bool by_hips = line.norm() == 0 && hips;
   if (by_hips) line = rest[hips->right] - rest[hips->left];
   const Vec3 right = near_axis(line, "the line from left to right", file);
   if (right.dot(up) != 0)
-    throw_unknown_axes(file, "its rest skeleton's trunk and shoulders lie along one axis");
+    throw_unknown_axes(file, "in the rest skeleton trunk and shoulders are along the same axis");
   const Vec3 forward = up.cross(right);
   Eigen::Matrix3d world;
   world << right.transpose(), forward.transpose(), up.transpose();
@@ -93,11 +92,11 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
       world * (body.position(0, shoulders->right) - body.position(0, shoulders->left));
   const double level = std::hypot(first.x(), first.y());
   if (!(level > kMinShoulderLevelShare * first.norm())) {
-    throw_unknown_axes(file, "the shoulders do not stand side by side in the first frame");
+    throw_unknown_axes(file, "the line between the shoulders is not horizontal in the first frame");
   }
-  reports.push_back(fmt::format(
-      "axes were taken from the skeleton: '{} {} {}' point right, forward and up at rest",
-      axis_word(right), axis_word(forward), axis_word(up)));
+  reports.push_back(
+      fmt::format("axes derived from the rest skeleton: '{} {} {}' (right, forward, up)",
+                  axis_word(right), axis_word(forward), axis_word(up)));
   return world;
 }
 

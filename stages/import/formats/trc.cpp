@@ -25,7 +25,7 @@ TrcHeader read_trc_header(const files::CsvText& csv) {
   for (std::size_t c = 0; c < keys.size(); ++c) {
     if (keys[c].empty()) continue;
     const std::string_view value = c < values.size() ? values[c] : std::string_view();
-    if (!header.emplace(keys[c], value).second) csv.fail(kKeyLine, keys[c], "stands twice");
+    if (!header.emplace(keys[c], value).second) csv.fail(kKeyLine, keys[c], "appears twice");
   }
   return header;
 }
@@ -45,7 +45,7 @@ void compare_count(const files::CsvText& csv, const TrcHeader& header, std::stri
                    std::string_view what, std::size_t count, std::vector<std::string>& reports) {
   const std::string value = value_of(header, key);
   if (value.empty() || csv.number(kValueLine, key, value) == static_cast<double>(count)) return;
-  reports.push_back(fmt::format("the header says {} {}, {} are there", value, what, count));
+  reports.push_back(fmt::format("the header states {} {}, the file has {}", value, what, count));
 }
 
 void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
@@ -54,7 +54,7 @@ void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
     const std::size_t k = c - MarkerColumns::kLeadingCount;
     const std::string wanted = fmt::format("{}{}", "XYZ"[k % 3], k / 3 + 1);
     if (c >= cells.size() || cells[c] != wanted) {
-      csv.fail(kAxisLine, columns.name(c), fmt::format("must stand under '{}'", wanted));
+      csv.fail(kAxisLine, columns.name(c), fmt::format("must be under '{}'", wanted));
     }
   }
 }
@@ -72,15 +72,15 @@ void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double m
     csv.number(line, "Frame#", cells[0]);
     const double time_s = csv.number(line, "Time", cells[1]);
     if (!markers.time.empty() && !(time_s > markers.time.back())) {
-      csv.fail(line, "Time", "does not follow the row before");
+      csv.fail(line, "Time", "must be greater than in the previous row");
     }
     markers.time.push_back(time_s);
   }
   const double steps = static_cast<double>(markers.time.size() - 1);
   const double rows_hz = steps / (markers.time.back() - markers.time.front());
   if (steps > 0 && rate_hz > 0 && std::abs(rows_hz - rate_hz) > 0.01 * rate_hz) {
-    recording.reports.push_back(fmt::format(
-        "the rate should be {} frames a second, the times say {:.6g}: the times were taken",
+    recording.import_notes.push_back(fmt::format(
+        "the header states {} frames per second, the times give {:.6g}; the times are used",
         rate_hz, rows_hz));
   }
 }
@@ -91,7 +91,7 @@ MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventio
   csv.separator = csv.lines[0].find('\t') != std::string::npos ? '\t' : ',';
   if (csv.cells(1)[0] != "PathFileType") csv.fail(1, "", "must begin with 'PathFileType'");
   MarkerRecording recording;
-  recording.reports = csv.notes;
+  recording.import_notes = csv.notes;
   const auto leading = csv.cells(kNameLine);
   if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time") {
     csv.fail(kNameLine, "", "must begin with 'Frame#' and 'Time'");
@@ -101,13 +101,13 @@ MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventio
   check_axes(csv, columns);
   const double metres =
       resolve_unit_m(value_of(header, "Units"), conventions,
-                     fmt::format("{}:{}", csv.file, kValueLine), recording.reports);
+                     fmt::format("{}:{}", csv.file, kValueLine), recording.import_notes);
   const double rate_hz = conventions.rate_hz.value_or(number_of(csv, header, "DataRate"));
   recording.markers.names = columns.names;
   read_rows(csv, columns, metres, rate_hz, recording);
-  compare_count(csv, header, "NumMarkers", "markers", columns.names.size(), recording.reports);
+  compare_count(csv, header, "NumMarkers", "markers", columns.names.size(), recording.import_notes);
   compare_count(csv, header, "NumFrames", "frames", recording.markers.time.size(),
-                recording.reports);
+                recording.import_notes);
   return recording;
 }
 

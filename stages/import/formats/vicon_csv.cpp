@@ -43,18 +43,19 @@ Section find_section(const files::CsvText& csv, std::vector<std::string>& report
     while (line < csv.lines.size() && !csv.is_blank(line + 1)) ++line;
     const std::string name(csv.cells(first)[0]);
     if (name == kMarkerSection) {
-      if (markers.first != 0) csv.fail(first, name, "the section stands twice");
+      if (markers.first != 0) csv.fail(first, name, "the section appears twice");
       markers = {first, line};
     } else if (is_other_section(name)) {
       others.push_back(name);
     } else {
-      csv.fail(first, "", fmt::format("a section must begin here, but '{}' is none", name));
+      csv.fail(first, "",
+               fmt::format("a section must begin here, but '{}' is not a section", name));
     }
   }
-  if (markers.first == 0) csv.fail(1, "", "there is no section 'Trajectories'");
+  if (markers.first == 0) csv.fail(1, "", "section 'Trajectories' not found");
   if (markers.last < markers.first + 5) csv.fail(markers.last, "", "ends before the first frame");
   if (!others.empty()) {
-    reports.push_back(fmt::format("sections left out: {}", fmt::join(others, ", ")));
+    reports.push_back(fmt::format("sections skipped: {}", fmt::join(others, ", ")));
   }
   return markers;
 }
@@ -71,7 +72,7 @@ void strip_subject(std::vector<std::string>& names, std::string& subject,
   if (subjects.empty()) return;
   if (subjects.size() > 1 || stripped.size() < names.size()) {
     reports.push_back(
-        fmt::format("markers keep the names of their subjects: {}", fmt::join(subjects, ", ")));
+        fmt::format("marker names keep the subject as prefix: {}", fmt::join(subjects, ", ")));
     return;
   }
   subject = *subjects.begin();
@@ -92,7 +93,7 @@ std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
   const std::string_view unit = cell_at(units, MarkerColumns::kLeadingCount);
   for (std::size_t c = MarkerColumns::kLeadingCount; c < columns.count(); ++c) {
     if (cell_at(units, c) == unit) continue;
-    csv.fail(line + 1, columns.name(c), "unit differs from the first column's");
+    csv.fail(line + 1, columns.name(c), "has another unit than the first column");
   }
   for (const auto& [behind, cells] : {std::pair(line, &axes), std::pair(line + 1, &units)}) {
     for (std::size_t c = columns.count(); c < cells->size(); ++c) {
@@ -115,36 +116,36 @@ void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
     read_points(csv, line, cells, columns, metres, markers.position, row);
     const double frame = csv.number(line, "Frame", cells[0]);
     if (csv.number(line, "Sub Frame", cells[1]) != 0) {
-      csv.fail(line, "Sub Frame", "must be 0: no sub-frame data is read");
+      csv.fail(line, "Sub Frame", "must be 0; sub-frames are not supported");
     }
     if (frame != std::floor(frame) || frame < 1) {
-      csv.fail(line, "Frame", "must be a whole number from 1");
+      csv.fail(line, "Frame", "must be a whole number, at least 1");
     }
-    if (frame <= before) csv.fail(line, "Frame", "does not follow the frame before");
+    if (frame <= before) csv.fail(line, "Frame", "must be greater than in the previous row");
     if (row > 0) left_out += frame - before - 1;
     before = frame;
     markers.time.push_back((frame - 1) / rate_hz);
   }
   if (left_out > 0) {
-    recording.reports.push_back(fmt::format("{} frame numbers are left out", left_out));
+    recording.import_notes.push_back(fmt::format("{} frame numbers are missing", left_out));
   }
 }
 
 MarkerRecording read_vicon_file(const std::filesystem::path& file, const Conventions& conventions) {
   const files::CsvText csv = files::read_csv(file);
   MarkerRecording recording;
-  recording.reports = csv.notes;
-  const Section section = find_section(csv, recording.reports);
+  recording.import_notes = csv.notes;
+  const Section section = find_section(csv, recording.import_notes);
   const std::size_t line = section.first;
   const std::string_view rate = csv.cells(line + 1)[0];
   const double rate_hz =
       resolve_rate_hz(rate.empty() ? 0 : csv.number(line + 1, "rate", rate), conventions,
-                      fmt::format("{}:{}", csv.file, line + 1), recording.reports);
+                      fmt::format("{}:{}", csv.file, line + 1), recording.import_notes);
   MarkerColumns columns{{"Frame", "Sub Frame"}, read_marker_names(csv, line + 2)};
-  strip_subject(columns.names, recording.subject, recording.reports);
+  strip_subject(columns.names, recording.subject, recording.import_notes);
   const std::string unit = read_columns_and_unit(csv, line + 3, columns);
   const double metres = resolve_unit_m(unit, conventions, fmt::format("{}:{}", csv.file, line + 4),
-                                       recording.reports);
+                                       recording.import_notes);
   recording.markers.names = columns.names;
   read_frames(csv, line + 5, section.last, columns, metres, rate_hz, recording);
   return recording;

@@ -104,20 +104,20 @@ void add_trunk(const RecordedPoints& points, CueCollector& cues) {
   const auto chest = track("chest");
   std::vector<Vec3> middle;  // both must be seen: a single one is beside the chest
   for (std::size_t i = 0; i < left.size(); ++i) middle.emplace_back((left[i] + right[i]) / 2);
-  cues.add(mean_from_to(middle, chest), 2 * Y - Z, 1, "the chest before the shoulders");
+  cues.add(mean_from_to(middle, chest), 2 * Y - Z, 1, "the chest is in front of the shoulders");
   if (!is_known(mean_of(middle))) {
     const Vec3 aside = std::cos(kShoulderBehind_rad) * X,
                behind = -std::sin(kShoulderBehind_rad) * Y;
-    cues.add(mean_from_to(chest, right), behind + aside, 1, "the shoulder beside the chest");
-    cues.add(mean_from_to(chest, left), behind - aside, 1, "the shoulder beside the chest");
+    cues.add(mean_from_to(chest, right), behind + aside, 1, "the shoulder is beside the chest");
+    cues.add(mean_from_to(chest, left), behind - aside, 1, "the shoulder is beside the chest");
   }
   cues.add(mean_from_to(hips, shoulders), Z, 3, "from the hips to the shoulders");
-  cues.add(mean_from_to(shoulders, track("head")), Z, 2, "the head above the shoulders");
+  cues.add(mean_from_to(shoulders, track("head")), Z, 2, "the head is above the shoulders");
   for (const char* side : {"left", "right"}) {
     const auto ankle = track(fmt::format("{} ankle", side).c_str());
     cues.add(mean_from_to(ankle, track(fmt::format("{} toe", side).c_str())), Y, 1,
              "from ankle to toe");
-    cues.add(mean_from_to(ankle, hips), Z, 1, "the hips above the feet");
+    cues.add(mean_from_to(ankle, hips), Z, 1, "the hips are above the feet");
   }
 }
 
@@ -134,14 +134,15 @@ void add_arm(const RecordedPoints& points, Side side, CueCollector& cues) {
   const Vec3 out = side == Side::right ? Vec3(Vec3::UnitX()) : Vec3(-Vec3::UnitX());
   const Vec3 up = mean_from_to(elbow, shoulder);
   cues.source = CueSource::arm;
-  cues.add(up, Vec3::UnitZ(), 1, "the elbow below the shoulder");
+  cues.add(up, Vec3::UnitZ(), 1, "the elbow is below the shoulder");
   Vec3 reach = mean_from_to(shoulder, wrist);
   cues.add(reach, Vec3::UnitY() + std::tan(kRestHandAzimuth_rad) * out, 1,
-           "the hand in front of the shoulder", false, CuePurpose::heading);
+           "the hand is in front of the shoulder", false, CuePurpose::heading);
   if (is_known(up) && up.norm() > 0) reach -= up.normalized() * up.normalized().dot(reach);
-  cues.add(reach, Vec3::UnitY(), 1, "the hand in front of the shoulder", false, CuePurpose::axes);
+  cues.add(reach, Vec3::UnitY(), 1, "the hand is in front of the shoulder", false,
+           CuePurpose::axes);
   cues.add(mean_from_to(midpoints(shoulder, wrist), elbow), out - Vec3::UnitZ(), 0.5,
-           "the elbow outside of the line from shoulder to hand", false, CuePurpose::axes);
+           "the elbow is outside of the line from shoulder to hand", false, CuePurpose::axes);
   cues.add(least_travel(wrist), Vec3::UnitZ(), 0.7, "the hand travels along a table", true);
 }
 
@@ -154,7 +155,7 @@ void add_hand(const RecordedPoints& points, Side side, CueCollector& cues) {
            Vec3(-out * std::sin(kFingersInward_rad), std::cos(kFingersInward_rad), 0), 1,
            "the fingers point away from the person");
   cues.source = CueSource::reach;
-  cues.add(departure_direction(wrist), Vec3::UnitY(), 1, "the hand leaves for what is in front");
+  cues.add(departure_direction(wrist), Vec3::UnitY(), 1, "the hand starts to move forward");
 }
 
 }  // namespace

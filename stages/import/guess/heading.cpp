@@ -73,18 +73,20 @@ std::string heading_report(const HeadingEstimate& facing) {
   const std::string by =
       facing.source == CueSource::trunk
           ? facing.because
-          : fmt::format("a guess by the {} alone: {}",
+          : fmt::format("a guess from the {} only: {}",
                         facing.source == CueSource::arm ? "arm" : "hand", facing.because);
   std::string text =
       std::abs(facing.yaw_rad) > kLargeYaw_rad
           ? fmt::format(
-                "the person faces {:.0f} degrees away from where the recorded axes say: all "
-                "was turned about the vertical, so that forward is where the body says ({})",
+                "the person faces {:.0f} degrees away from the forward axis: the recording was "
+                "rotated about the vertical, so that the person faces Y ({})",
                 std::abs(degrees), by)
           : fmt::format(
-                "turned by {:.1f} degrees about the vertical, so that the person faces Y ({})",
+                "recording rotated by {:.1f} degrees about the vertical, so that the person faces "
+                "Y ({})",
                 degrees, by);
-  if (facing.heading_changes) text += "; the person turns round later: by the first second";
+  if (facing.heading_changes)
+    text += "; the person turns later: facing direction of the first second";
   return text;
 }
 
@@ -116,14 +118,14 @@ void apply_body_heading(const Conventions& given, Demonstration& demonstration) 
   // An arm also reaches sideways and is less reliable than axes given by a person.
   if (facing->source != CueSource::trunk && !given.axes.empty()) return;
   if (facing->agreement < kMinCueAgreement) {
-    demonstration.reports.push_back(
-        fmt::format("which way the person faces is not clear, for these contradict each other: {}; "
-                    "the recorded axes are kept",
+    demonstration.import_notes.push_back(
+        fmt::format("the facing direction is unclear, since these contradict each other: {}; the "
+                    "recorded axes are kept",
                     facing->because));
     return;
   }
   rotate_about_vertical(demonstration, facing->yaw_rad);
-  demonstration.reports.push_back(heading_report(*facing));
+  demonstration.import_notes.push_back(heading_report(*facing));
 }
 
 /// Reports a disagreement between body and axes; for given axes only if the body is not upright.
@@ -131,9 +133,9 @@ void report_axes_mismatch(bool given, Demonstration& demonstration) {
   const Guess guess = guess_axes(recorded_points(demonstration.streams, demonstration.hand));
   const bool upright = guess.value.ends_with(" z");
   if (guess.confidence != Confidence::sure || guess.value == "x y z" || (given && upright)) return;
-  demonstration.reports.push_back(
-      fmt::format("the body stands otherwise than these axes have it: its right, forward and up "
-                  "are their '{}' ({}); give --axes",
+  demonstration.import_notes.push_back(
+      fmt::format("the posture of the body contradicts the axes: its right, forward and up are "
+                  "'{}' ({}); give --axes",
                   guess.value, guess.reason));
 }
 
@@ -141,7 +143,7 @@ void report_axes_mismatch(bool given, Demonstration& demonstration) {
 
 void align_heading(const Conventions& given, Demonstration& demonstration) {
   const Streams& streams = demonstration.streams;
-  if (streams.skeleton && streams.skeleton->rebuilt) return;
+  if (streams.skeleton && streams.skeleton->reconstructed) return;
   if (!streams.markers && !streams.sensors && !streams.skeleton) return;
   if (given.forward == ForwardSource::body) apply_body_heading(given, demonstration);
   report_axes_mismatch(!given.axes.empty(), demonstration);

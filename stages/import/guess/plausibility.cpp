@@ -16,23 +16,25 @@ constexpr double kMaxDistance_m = 1000, kMaxAngle_rad = 6 * M_PI, kMaxDuration_s
 void check_points(const std::string& file, const Array2D<Vec3>& position) {
   for (const Vec3& point : position.values) {
     if (!(point.cwiseAbs().maxCoeff() > kMaxDistance_m)) continue;
-    throw UnresolvedConvention("unit", fmt::format("{}: unit: a point is {:.3g} m from the origin",
-                                                   file, point.cwiseAbs().maxCoeff()));
+    throw UnresolvedConvention(
+        "unit", fmt::format("{}: unit: implausible: a point is {:.3g} m from the origin", file,
+                            point.cwiseAbs().maxCoeff()));
   }
 }
 
 void check_angles(const std::string& file, const JointRows& angles) {
   for (const double angle : angles.reshaped()) {
     if (!(std::abs(angle) > kMaxAngle_rad)) continue;
-    throw InputError(fmt::format("{}: unit: an angle is {:.3g} rad", file, angle));
+    throw InputError(fmt::format("{}: unit: implausible: an angle is {:.3g} rad", file, angle));
   }
 }
 
 void check_time(const std::string& file, const std::vector<double>& time) {
   for (std::size_t i = 1; i < time.size(); ++i) {
     if (time[i] - time[i - 1] > kMaxTimeStep_s) {
-      throw InputError(fmt::format("{}: time: {:.6g} s pass between two rows, {:.6g} and {:.6g} s",
-                                   file, time[i] - time[i - 1], time[i - 1], time[i]));
+      throw InputError(
+          fmt::format("{}: time: implausible: {:.6g} s between two rows, {:.6g} and {:.6g} s", file,
+                      time[i] - time[i - 1], time[i - 1], time[i]));
     }
   }
 }
@@ -55,8 +57,9 @@ void check_streams(const std::string& file, const Streams& streams) {
   check(streams.arm_angles);
   check(streams.hand);
   if (end_s - begin_s > kMaxDuration_s) {
-    throw InputError(fmt::format("{}: time: the recording takes {:.6g} s, from {:.6g} to {:.6g}",
-                                 file, end_s - begin_s, begin_s, end_s));
+    throw InputError(
+        fmt::format("{}: time: implausible: the recording lasts {:.6g} s, from {:.6g} to {:.6g}",
+                    file, end_s - begin_s, begin_s, end_s));
   }
 }
 

@@ -29,7 +29,7 @@ PointSummary survey_point(const RecordedPoints& points, std::size_t k) {
 }
 
 std::string numbers(const Vec3& v) {
-  return is_known(v) ? fmt::format("{:.4g}, {:.4g}, {:.4g}", v.x(), v.y(), v.z()) : "never seen";
+  return is_known(v) ? fmt::format("{:.4g}, {:.4g}, {:.4g}", v.x(), v.y(), v.z()) : "never visible";
 }
 
 }  // namespace
@@ -69,12 +69,12 @@ std::string summary_text(const RecordingSummary& survey) {
       fmt::format("{}: {} point{}, {} row{}", survey.file, survey.points.size(),
                   survey.points.size() == 1 ? "" : "s", survey.rows, survey.rows == 1 ? "" : "s");
   if (survey.rate_hz > 0) {
-    text += fmt::format(", {:.4g} rows a second, {:.2f} s", survey.rate_hz, survey.duration_s);
+    text += fmt::format(", {:.4g} rows per second, {:.2f} s", survey.rate_hz, survey.duration_s);
   }
-  text += fmt::format("; x, y, z {}\n  {:<{}}  {:>6}  {:<28}  {:<28}  taken for\n", unit, "point",
-                      width, "seen", "middle", "extent");
+  text += fmt::format("; x, y, z {}\n  {:<{}}  {:>7}  {:<28}  {:<28}  used as\n", unit, "point",
+                      width, "visible", "centre", "extent");
   for (const PointSummary* point : shown) {
-    text += fmt::format("  {:<{}}  {:>4.0f} %  {:<28}  {:<28}  {}\n", point->name, width,
+    text += fmt::format("  {:<{}}  {:>5.0f} %  {:<28}  {:<28}  {}\n", point->name, width,
                         100 * point->seen_share, numbers(point->centre), numbers(point->extent),
                         point->body_part.empty() ? "-" : point->body_part);
   }
@@ -82,7 +82,7 @@ std::string summary_text(const RecordingSummary& survey) {
     const std::size_t left =
         others.size() > kMaxListedPoints ? others.size() - kMaxListedPoints : 0;
     others.resize(others.size() - left);
-    text += fmt::format("  taken for nothing: {}{}\n", fmt::join(others, ", "),
+    text += fmt::format("  not used: {}{}\n", fmt::join(others, ", "),
                         left > 0 ? fmt::format(" and {} more", left) : "");
   }
   return text;

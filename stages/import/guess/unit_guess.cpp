@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/math/statistics.hpp"
 #include "stages/import/guess/convention_guess.hpp"
 
 namespace morphe::imports {
@@ -15,26 +16,13 @@ struct BodyLength {
   double recorded, usual_m;
 };
 
-/// Returns the median distance between two tracks.
-double distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double length = (a[i] - b[i]).norm();
-    if (std::isfinite(length)) lengths.push_back(length);
-  }
-  if (lengths.empty()) return kUnknown;
-  const auto half = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::ranges::nth_element(lengths, half);
-  return *half;
-}
-
 /// Returns lengths between joint centres, with usual values of adults; if clusters replace joints,
 /// they are a third shorter or longer.
 std::vector<BodyLength> body_lengths(const RecordedPoints& points) {
   std::vector<BodyLength> lengths;
   const auto add = [&](const char* what, const std::string& from, const std::string& to,
                        double usual_m) {
-    const double length = distance(mean_track(points, from), mean_track(points, to));
+    const double length = math::median_distance(mean_track(points, from), mean_track(points, to));
     if (length > 0) lengths.push_back({what, length, usual_m});
   };
   add("shoulders", "left shoulder", "right shoulder", 0.36);
@@ -98,10 +86,9 @@ Guess guess_unit(const RecordedPoints& points) {
   double logs = 0;
   for (const BodyLength& length : lengths) logs += std::log(length.usual_m / length.recorded);
   const double metres = std::exp(logs / static_cast<double>(lengths.size()));
-  return {
-      fmt::format("{:.3g}", metres), Confidence::guessed,
-      fmt::format("with it the body has usual lengths, {} {}; with mm, cm, m, in and ft it has not",
-                  first.what, length_text(first.recorded * metres))};
+  return {fmt::format("{:.3g}", metres), Confidence::guessed,
+          fmt::format("gives the body usual lengths ({} {}); mm, cm, m, in and ft do not",
+                      first.what, length_text(first.recorded * metres))};
 }
 
 Guess guess_rate(const RecordedPoints& points, double unit_m) {
@@ -122,7 +109,7 @@ Guess guess_rate(const RecordedPoints& points, double unit_m) {
     return *at > 0 ? std::abs(std::log(*at * hz / kReachSpeed_m_s)) : hz;
   });
   return {fmt::format("{:.0f}", rate), Confidence::guessed,
-          fmt::format("the hand then moves at up to {:.1f} m/s; put in what the camera took",
+          fmt::format("the hand then moves at up to {:.1f} m/s; enter the frame rate of the camera",
                       *at * rate)};
 }
 

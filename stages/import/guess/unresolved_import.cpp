@@ -106,7 +106,8 @@ Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& forma
                const RecordingFiles& files) {
   const std::string& key = missing.key;
   if (key == "joint_order") {
-    return {missing.likely_value, Confidence::guessed, "the likeliest by how the joints lie"};
+    return {missing.likely_value, Confidence::guessed,
+            "best match for the positions of the joints"};
   }
   const RecordedPoints points =
       recorded_points(read_unchecked(format, files, key).streams, files.hand);
@@ -117,7 +118,7 @@ Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& forma
   return {key == "axes"   ? "x y z"
           : key == "unit" ? "mm"
                           : "100",
-          Confidence::guessed, "nothing in the recording tells it: put in what is true"};
+          Confidence::guessed, "cannot be derived from the recording; enter the true value"};
 }
 
 void set_convention(Conventions& conventions, const std::string& key, const std::string& value) {
@@ -165,9 +166,9 @@ void propose_conventions(const RecordingFormat& format, RecordingFiles files,
   }
   propose_conventions(format, named, answers);
   if (!names.empty()) {
-    answers.lines.push_back(fmt::format(
-        "{}: names: none of its names is one that Morphe knows; give --names or `names:`",
-        files.file.string()));
+    answers.lines.push_back(
+        fmt::format("{}: names: none of the recorded names is known; give --names or `names:`",
+                    files.file.string()));
   }
   UnresolvedImport question(fmt::format("{}", fmt::join(answers.lines, "\n")));
   question.file = files.file.string();
@@ -191,12 +192,12 @@ void propose_conventions(const RecordingFormat& format, RecordingFiles files,
 
 Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingFormat& format,
                                  RecordingFiles files, const std::string& manifest) {
-  const std::string said =
-      fmt::format("names as {} maps them: all of its names were recorded", shipped.file.string());
+  const std::string said = fmt::format("names mapped by {}, whose names are all in the recording",
+                                       shipped.file.string());
   files.name_map = shipped.names;
   try {
     Demonstration demonstration = read_or_propose(format, files, manifest);
-    demonstration.reports.push_back(said);
+    demonstration.import_notes.push_back(said);
     return demonstration;
   } catch (UnresolvedImport& question) {
     question.summary += said + "\n";

@@ -17,13 +17,13 @@ void apply_name_map(const std::string& file, const std::map<std::string, std::st
       name = entry->second;
     }
     if (!known.insert(name).second) {
-      throw InputError(fmt::format("{}: names: two of them become '{}'", file, name));
+      throw InputError(fmt::format("{}: names: two names are mapped to '{}'", file, name));
     }
   }
   for (const auto& entry : renamed) {
     if (!used.contains(entry.first)) {
-      throw InputError(
-          fmt::format("{}: names: '{}' is renamed but was not recorded", file, entry.first));
+      throw InputError(fmt::format("{}: names: '{}' is to be renamed but is not in the recording",
+                                   file, entry.first));
     }
   }
 }

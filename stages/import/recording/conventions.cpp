@@ -20,8 +20,8 @@ Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& 
     const std::string letter = word.substr(negative || word[0] == '+' ? 1 : 0);
     if (row > 2 || letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z') {
       throw InputError(
-          fmt::format("{}: axes: must name the recorded axes that point right, forward and up, "
-                      "such as 'x y z' or '-z -x y', not '{}'",
+          fmt::format("{}: axes: must be the recorded axes that point right, forward and up, such "
+                      "as 'x y z' or '-z -x y', not '{}'",
                       source, axes));
     }
     world_from_recorded(row, letter[0] - 'x') = negative ? -1 : 1;
@@ -29,10 +29,11 @@ Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& 
   const double determinant = world_from_recorded.determinant();
   if (row != 3 || determinant == 0) {
     throw InputError(
-        fmt::format("{}: axes: needs each of x, y and z once, not '{}'", source, axes));
+        fmt::format("{}: axes: must contain each of x, y and z once, not '{}'", source, axes));
   }
   if (determinant < 0) {
-    throw InputError(fmt::format("{}: axes: '{}' is left-handed", source, axes));
+    throw InputError(
+        fmt::format("{}: axes: '{}' is left-handed; must be right-handed", source, axes));
   }
   return world_from_recorded;
 }
@@ -51,10 +52,9 @@ double metres_per_unit(const std::string& unit, const std::string& source) {
   const auto [end, error] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
   if (error != std::errc() || end != unit.data() + unit.size() || !(metres > 0) ||
       !std::isfinite(metres)) {
-    throw InputError(
-        fmt::format("{}: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, "
-                    "not '{}'",
-                    source, unit));
+    throw InputError(fmt::format(
+        "{}: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, not '{}'",
+        source, unit));
   }
   return metres;
 }
@@ -64,12 +64,11 @@ double resolve_unit_m(const std::string& in_file, const Conventions& conventions
   const std::string& unit = conventions.unit.empty() ? in_file : conventions.unit;
   if (unit.empty()) {
     throw UnresolvedConvention(
-        "unit", fmt::format("{}: unit: the file does not say it; give --unit or `unit:` such as mm",
-                            source));
+        "unit",
+        fmt::format("{}: unit: not in the file; give --unit or `unit:`, such as mm", source));
   }
   if (!in_file.empty() && unit != in_file) {
-    reports.push_back(
-        fmt::format("the file says the unit {}; {} was given and used", in_file, unit));
+    reports.push_back(fmt::format("unit {} in the file; the given {} is used", in_file, unit));
   }
   return metres_per_unit(unit, source);
 }
@@ -80,13 +79,12 @@ double resolve_rate_hz(double in_file, const Conventions& conventions, const std
   if (!(rate_hz > 0) || !std::isfinite(rate_hz)) {
     throw UnresolvedConvention(
         "rate",
-        fmt::format(
-            "{}: rate: the file does not say it; give --rate or `rate_hz:` in frames a second",
-            source));
+        fmt::format("{}: rate: not in the file; give --rate or `rate_hz:` in frames per second",
+                    source));
   }
   if (in_file > 0 && rate_hz != in_file) {
     reports.push_back(
-        fmt::format("the file says {} frames a second; {} was given and used", in_file, rate_hz));
+        fmt::format("{} frames per second in the file; the given {} is used", in_file, rate_hz));
   }
   return rate_hz;
 }

@@ -17,7 +17,7 @@ struct RecordingFiles {
   std::filesystem::path file;          ///< the recording
   std::filesystem::path static_trial;  ///< static trial or calibration pose; may be empty
   /// Separate files of a glove, beside the two; may be empty.
-  std::filesystem::path glove, static_glove;
+  std::filesystem::path glove, glove_static_trial;
   std::filesystem::path glove_calibration;      ///< YAML, for raw counts; may be empty
   std::map<std::string, std::string> name_map;  ///< recorded marker or joint name -> name used here
   Side hand = Side::right;                      ///< the recorded hand

@@ -18,7 +18,7 @@ void append_numbers(const JsonNode& place, const nlohmann::json& value,
     return;
   }
   if (!value.is_number() || !std::isfinite(value.get<double>())) {
-    place.fail("must hold finite numbers alone");
+    place.fail("must contain only finite numbers");
   }
   numbers.push_back(value.get<double>());
 }
@@ -57,7 +57,7 @@ std::vector<double> JsonNode::numbers(std::size_t count) const {
   std::vector<double> all;
   append_numbers(*this, *value, all);
   if (all.size() != count) {
-    fail(fmt::format("must hold {} numbers, not {}", count, all.size()));
+    fail(fmt::format("must have {} numbers, not {}", count, all.size()));
   }
   return all;
 }
@@ -68,14 +68,14 @@ Vec3 JsonNode::point() const {
 }
 
 std::string JsonNode::text() const {
-  if (!value->is_string()) fail("must be a text");
+  if (!value->is_string()) fail("must be text");
   return value->get<std::string>();
 }
 
 Quat JsonNode::quaternion() const {
   const std::vector<double> q = numbers(4);
   const Quat turn(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(turn.norm() - 1) < 0.01)) fail("is no quaternion of unit length");
+  if (!(std::abs(turn.norm() - 1) < 0.01)) fail("is not a quaternion of unit length");
   return turn.normalized();
 }
 
@@ -87,7 +87,7 @@ void each_json_line(const std::filesystem::path& file,
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     JsonNode place{file.string(), line, "", nullptr};
     const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-    if (!value.is_object()) place.fail("is no object of JSON: the line is damaged or cut off");
+    if (!value.is_object()) place.fail("is not a JSON object: the line is damaged or cut off");
     place.value = &value;
     visit(place);
   }
@@ -99,7 +99,7 @@ nlohmann::json read_json(const std::filesystem::path& file) {
   nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
   if (!value.is_object()) {
     JsonNode{file.string(), 0, "", nullptr}.fail(
-        "is no object of JSON: the file is damaged or cut off");
+        "is not a JSON object: the file is damaged or cut off");
   }
   return value;
 }

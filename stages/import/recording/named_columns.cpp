@@ -9,7 +9,7 @@ NamedColumns::NamedColumns(const files::CsvText& text, std::size_t header_line)
   if (csv.lines.size() <= line)
     csv.fail(csv.lines.size(), "", "the file ends before the first row");
   for (const std::string_view cell : csv.cells(line)) {
-    if (!at_.emplace(cell, names.size()).second) csv.fail(line, cell, "the column stands twice");
+    if (!at_.emplace(cell, names.size()).second) csv.fail(line, cell, "the column appears twice");
     names.emplace_back(cell);
   }
 }
@@ -30,7 +30,7 @@ std::vector<std::string_view> NamedColumns::cells(std::size_t row_line) const {
   auto row = csv.cells(row_line);
   if (row.size() != names.size()) {
     csv.fail(row_line, "",
-             fmt::format("the row has {} cells, the header {}", row.size(), names.size()));
+             fmt::format("the row has {} cells, the header has {}", row.size(), names.size()));
   }
   return row;
 }

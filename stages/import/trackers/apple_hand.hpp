@@ -25,6 +25,6 @@ std::optional<Pose> pose_from_matrix(const std::vector<double>& numbers, bool co
 
 /// The reason for the axes of a clip from Apple's hand tracking, for `reports`.
 inline constexpr const char* kAppleAxesReason =
-    "Y is up by the device's gravity, as in ARKit; which way the person faces is not said";
+    "Y is up (gravity, as in ARKit); facing direction not in the file";
 
 }  // namespace morphe::imports

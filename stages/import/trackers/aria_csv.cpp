@@ -106,10 +106,10 @@ std::optional<std::size_t> main_map(
 std::string trajectory_axes(const DeviceTrajectory& trajectory, const Conventions& conventions) {
   const Vec3 up = -trajectory.gravity.normalized();
   if (!(up.z() > 0.99) && conventions.axes.empty()) {
-    throw UnresolvedConvention(
-        "axes", fmt::format("{}: axes: gravity points along ({:.3g}, {:.3g}, {:.3g}), not "
-                            "along -z; give --axes or `axes:`",
-                            trajectory.file, -up.x(), -up.y(), -up.z()));
+    throw UnresolvedConvention("axes",
+                               fmt::format("{}: axes: gravity points along ({:.3g}, {:.3g}, "
+                                           "{:.3g}), not along -z; give --axes or `axes:`",
+                                           trajectory.file, -up.x(), -up.y(), -up.z()));
   }
   return "x y z";
 }
@@ -117,9 +117,9 @@ std::string trajectory_axes(const DeviceTrajectory& trajectory, const Convention
 void transform_to_world(const DeviceTrajectory& trajectory, const RecordingFiles& files,
                         const std::vector<std::optional<DeviceTrajectory::DevicePose>>& places,
                         std::size_t world, HandClip& clip, std::vector<std::string>& reports) {
-  const TrackerFrame frame = tracker_frame(
-      files, trajectory_axes(trajectory, files.conventions), "m",
-      "Z is up by the device's gravity; which way the person faces is not said", reports);
+  const TrackerFrame frame =
+      tracker_frame(files, trajectory_axes(trajectory, files.conventions), "m",
+                    "Z is up (gravity); facing direction not in the file", reports);
   const std::size_t rows = clip.time.size();
   BodyStream& body = clip.body;
   body.names = {"head"};
@@ -141,17 +141,16 @@ void transform_to_world(const DeviceTrajectory& trajectory, const RecordingFiles
     body.position(i, 0) = head.translation();
     body.orientation(i, 0) = Quat(head.linear());
   }
-  reports.push_back(fmt::format("the device's way is that of {}", trajectory.file));
+  reports.push_back(fmt::format("device trajectory from {}", trajectory.file));
   if (nowhere > 0) {
     reports.push_back(
-        fmt::format("{} of {} rows are outside of the device's trajectory: taken as "
-                    "not seen",
+        fmt::format("{} of {} rows are outside of the device trajectory; treated as not visible",
                     nowhere, rows));
   }
   if (elsewhere > 0) {
     reports.push_back(
         fmt::format("the device changes its map (graph_uid): {} of {} rows are in "
-                    "another world than the longest piece and taken as not seen",
+                    "another map than the longest section; treated as not visible",
                     elsewhere, rows));
   }
 }
@@ -168,18 +167,19 @@ Demonstration read_aria_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
   AriaFile read = read_aria_file(csv);
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
   if (read.landmarks) {
-    reports.push_back("Aria tracks no root of the thumb (CMC): it is left out, as is the palm");
+    reports.push_back(
+        "Aria does not track the base of the thumb (CMC); thumb base and palm skipped");
   } else {
-    reports.push_back("wrists alone: this version of the file has no fingers");
+    reports.push_back("only wrists: this version of the file has no fingers");
   }
   const std::vector<double> device_time = read.clip.time;
   for (double& time_s : read.clip.time) time_s -= device_time.front();
-  reports.push_back(fmt::format("time 0 is {} s of the device's clock", device_time.front()));
+  reports.push_back(fmt::format("time 0 is {} s of the device clock", device_time.front()));
   const std::filesystem::path beside = find_trajectory_file(files.file);
-  std::string why = "no closed_loop_trajectory.csv lies beside the file or in a folder slam/";
+  std::string why = "no closed_loop_trajectory.csv beside the file or in a folder slam/";
   if (!beside.empty()) {
     const DeviceTrajectory trajectory = read_device_trajectory(beside);
     std::vector<std::optional<DeviceTrajectory::DevicePose>> places;
@@ -189,11 +189,11 @@ Demonstration read_aria_csv(const RecordingFiles& files) {
       add_tracked_clip(std::move(read.clip), files, demonstration);
       return demonstration;
     }
-    why = fmt::format("no row lies in the time of {}", trajectory.file);
+    why = fmt::format("no row is within the time of {}", trajectory.file);
   }
   if (!read.landmarks) {
     throw InputError(
-        fmt::format("{}: {}: where the wrists were in the world is not known", csv.file, why));
+        fmt::format("{}: {}: the positions of the wrists in the world are unknown", csv.file, why));
   }
   tracker_frame(files, "x y z", "m", "", reports);
   add_shape(std::move(read.clip), files, why, demonstration);

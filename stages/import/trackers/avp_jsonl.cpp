@@ -20,7 +20,7 @@ struct AvpFrame {
 
 Pose pose_of(const JsonNode& place) {
   const auto pose = pose_from_matrix(place.numbers(16), true);
-  if (!pose) place.fail("is no rigid motion, column by column");
+  if (!pose) place.fail("is not a rigid transform in column-major order");
   return *pose;
 }
 
@@ -80,7 +80,7 @@ bool recognises_avp_jsonl(std::string_view head) {
 
 Demonstration read_avp_jsonl(const RecordingFiles& files) {
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxesReason, reports);
   HandClip clip;
   std::vector<AvpFrame> frames;
@@ -99,7 +99,7 @@ Demonstration read_avp_jsonl(const RecordingFiles& files) {
     clip.hands[which] = std::move(hand);
   }
   clip.body = head_of(frames, frame);
-  if (forearm) reports.push_back("the joints of the forearm are the device's guess: left out");
+  if (forearm) reports.push_back("joints of the forearm skipped: only estimated by the device");
   add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }

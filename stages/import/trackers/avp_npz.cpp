@@ -33,7 +33,7 @@ MatrixTable matrices_in(const files::NpzFile& npz, const std::string& key) {
   const bool one = shape.size() == 3, several = shape.size() == 4;
   if (table.array->kind == files::NpyKind::text || !(one || several) ||
       shape[shape.size() - 1] != 4 || shape[shape.size() - 2] != 4) {
-    npz.fail(key, fmt::format("must hold 4 x 4 matrices, not {}", files::shape_text(shape)));
+    npz.fail(key, fmt::format("must have 4 x 4 matrices, not {}", files::shape_text(shape)));
   }
   table.rows = shape[0];
   table.joints = one ? 1 : shape[1];
@@ -53,7 +53,8 @@ std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table,
   }
   const auto pose = pose_from_matrix(numbers, false);
   if (!pose) {
-    npz.fail(table.array->name, fmt::format("row {}, joint {}: is no rigid motion", row, joint));
+    npz.fail(table.array->name,
+             fmt::format("row {}, joint {}: is not a rigid transform", row, joint));
   }
   return pose;
 }
@@ -104,15 +105,15 @@ StreamKeys keys_of(const files::NpzFile& npz, Side side) {
   const std::string prefix = "stream_" + std::string(name_of(side));
   StreamKeys keys{matrices_in(npz, prefix + "_wrist"), matrices_in(npz, prefix + "_fingers")};
   if (keys.wrist.array == nullptr) return keys;
-  if (keys.wrist.joints != 1) npz.fail(prefix + "_wrist", "must hold one matrix a frame");
+  if (keys.wrist.joints != 1) npz.fail(prefix + "_wrist", "must have one matrix per frame");
   if (keys.fingers.array == nullptr) npz.fail(prefix + "_fingers", "is missing");
   if (keys.fingers.rows != keys.wrist.rows) {
-    npz.fail(prefix + "_fingers",
-             fmt::format("has {} frames, {}_wrist {}", keys.fingers.rows, prefix, keys.wrist.rows));
+    npz.fail(prefix + "_fingers", fmt::format("has {} frames, but {}_wrist has {}",
+                                              keys.fingers.rows, prefix, keys.wrist.rows));
   }
   if (keys.fingers.joints != 25 && keys.fingers.joints != 27) {
     npz.fail(prefix + "_fingers",
-             fmt::format("must hold 25 or 27 joints, not {}", keys.fingers.joints));
+             fmt::format("must have 25 or 27 joints, not {}", keys.fingers.joints));
   }
   return keys;
 }
@@ -129,14 +130,14 @@ bool recognises_avp_npz(std::string_view head) {
 Demonstration read_avp_npz(const RecordingFiles& files) {
   const files::NpzFile npz = files::read_npz(files.file);
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   const TrackerFrame frame =
       tracker_frame(files, "x y z", "m",
-                    "avp_stream has turned Z up; which way the person faces is not said", reports);
+                    "Z is up, as written by avp_stream; facing direction not in the file", reports);
   const double rate_hz = resolve_rate_hz(0, files.conventions, files.file.string(), reports);
   const StreamKeys keys[] = {keys_of(npz, Side::right), keys_of(npz, Side::left)};
   const std::size_t rows = std::max(keys[0].wrist.rows, keys[1].wrist.rows);
-  if (rows == 0) npz.fail("stream_right_wrist", "neither this nor stream_left_wrist has a frame");
+  if (rows == 0) npz.fail("stream_right_wrist", "neither this nor stream_left_wrist has frames");
   HandClip clip;
   for (std::size_t i = 0; i < rows; ++i) clip.time.push_back(static_cast<double>(i) / rate_hz);
   for (const Side side : {Side::right, Side::left}) {

@@ -15,7 +15,7 @@ constexpr double kMinTimeStep_s = 1e-4, kMaxInterpolationGap_s = 0.1, kMaxExtrap
 Quat unit_quaternion(const NamedColumns& columns, std::size_t line, const double (&q)[4]) {
   const Quat turn(q[3], q[0], q[1], q[2]);
   if (!(std::abs(turn.norm() - 1) < 0.01)) {
-    columns.csv.fail(line, "qx_world_device", "is no quaternion of unit length");
+    columns.csv.fail(line, "qx_world_device", "is not a quaternion of unit length");
   }
   return turn.normalized();
 }
@@ -75,7 +75,7 @@ DeviceTrajectory read_device_trajectory(const std::filesystem::path& file) {
         trajectory.gravity[static_cast<Eigen::Index>(k)] = columns.number(line, row, gravity[k]);
       }
     } else if (time_s < trajectory.time.back()) {
-      csv.fail(line, "tracking_timestamp_us", "does not follow the row before");
+      csv.fail(line, "tracking_timestamp_us", "must be greater than in the previous row");
     }
     if (row[uid] != last_uid) {
       last_uid = row[uid];

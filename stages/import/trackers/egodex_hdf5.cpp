@@ -61,7 +61,7 @@ Episode open_episode(const Hdf5Group& root) {
     const auto found = episode.names.find(wrist);
     if (found != episode.names.end()) episode.rows = episode.transforms.length(found->second);
   }
-  if (episode.rows == 0) episode.transforms.fail("holds neither rightHand nor leftHand");
+  if (episode.rows == 0) episode.transforms.fail("has neither rightHand nor leftHand");
   return episode;
 }
 
@@ -75,7 +75,7 @@ Track read_track(const Episode& episode, const std::string& plain) {
   for (std::size_t i = 0; i < episode.rows; ++i) {
     const auto begin = matrices.values.begin() + static_cast<std::ptrdiff_t>(16 * i);
     const auto pose = pose_from_matrix(std::vector<double>(begin, begin + 16), false);
-    if (!pose) episode.transforms.fail(name, fmt::format("row {} is no rigid motion", i));
+    if (!pose) episode.transforms.fail(name, fmt::format("row {} is not a rigid transform", i));
     track.pose.push_back(*pose);
   }
   if (episode.has_confidences && episode.confidences.has(name)) {
@@ -146,7 +146,7 @@ Demonstration read_egodex_hdf5(const RecordingFiles& files) {
   const store::Hdf5File file = store::Hdf5File::open(files.file);
   const Hdf5Group root = file.root();
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   const TrackerFrame frame = tracker_frame(files, "x -z y", "m", kAppleAxesReason, reports);
   const Episode episode = open_episode(root);
   const double rate_hz =
@@ -160,7 +160,7 @@ Demonstration read_egodex_hdf5(const RecordingFiles& files) {
   }
   clip.body = read_body(episode, frame);
   file.expect_unchanged();
-  reports.push_back("shoulders and elbows are the headset's guess, mostly from the hands");
+  reports.push_back("shoulders and elbows are estimated by the headset, mostly from the hands");
   report_words(root, reports);
   add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;

@@ -34,10 +34,10 @@ void check_size(const std::string& file, std::string_view side, const Array2D<Ve
   if (palm.empty()) return;
   const double usual = math::median(palm);
   if (usual >= kMinPalmLength_m && usual <= kMaxPalmLength_m) return;
-  throw UnresolvedConvention(
-      "unit", fmt::format("{}: unit: cannot be right: the {} hand would measure {:.3g} m from "
-                          "the wrist to the middle finger's knuckle",
-                          file, side, usual));
+  throw UnresolvedConvention("unit",
+                             fmt::format("{}: unit: implausible: the {} hand would measure {:.3g} "
+                                         "m from the wrist to the middle finger's knuckle",
+                                         file, side, usual));
 }
 
 void check_side(const std::string& file, Side side, const Array2D<Vec3>& joint) {
@@ -45,10 +45,10 @@ void check_side(const std::string& file, Side side, const Array2D<Vec3>& joint) 
   const double out = finger_curl_m(joint);
   if (!((side == Side::right ? out : -out) > kWrongSideCurl_m)) return;
   const Side other = side == Side::right ? Side::left : Side::right;
-  throw InputError(fmt::format(
-      "{}: {} hand: its fingers curl as those of a {} hand do (by {:.0f} mm in the mean): the "
-      "sides are exchanged in the file, or its axes are left-handed",
-      file, name_of(side), name_of(other), 1000 * std::abs(out)));
+  throw InputError(
+      fmt::format("{}: {} hand: its fingers curl like those of a {} hand (by {:.0f} mm on "
+                  "average): the sides are exchanged in the file, or its axes are left-handed",
+                  file, name_of(side), name_of(other), 1000 * std::abs(out)));
 }
 
 /// Returns the root mean square over the finger bones of their relative variation in length.
@@ -95,7 +95,7 @@ void report_unseen(std::string_view side, const Array2D<Vec3>& joint,
   }
   if (count < joint.rows) {
     reports.push_back(
-        fmt::format("the {} hand was seen in {} of {} frames", side, count, joint.rows));
+        fmt::format("the {} hand is visible in {} of {} frames", side, count, joint.rows));
   }
 }
 
@@ -106,7 +106,7 @@ void report_rate(const std::vector<double>& time, std::vector<std::string>& repo
   const double step_s = math::median(steps);
   if (step_s > kMaxFramePeriod_s) {
     reports.push_back(
-        fmt::format("only {:.3g} rows a second: too few to follow a reach", 1 / step_s));
+        fmt::format("only {:.3g} rows per second: too few to follow a reach", 1 / step_s));
   }
 }
 
@@ -123,10 +123,10 @@ void check_hands(const std::string& file, const HandClip& clip, bool judged,
     check_side(file, side, *joint);
     const double unsteady = bone_length_variation(*joint);
     if (unsteady > kMaxBoneVariationRatio) {
-      reports.push_back(fmt::format(
-          "the bones of the {} hand vary in length by {:.0f} % (root mean square): the tracker "
-          "does not keep them, or its joints are not those they are called",
-          name, 100 * unsteady));
+      reports.push_back(
+          fmt::format("the bone lengths of the {} hand vary by {:.0f} % (RMS): the tracker does "
+                      "not keep them constant, or joints are named wrongly",
+                      name, 100 * unsteady));
     }
   }
   report_rate(clip.time, reports);

@@ -63,7 +63,7 @@ void add_clip(HandClip&& clip, Demonstration& demonstration) {
   }
   BodyStream& skeleton = demonstration.streams.skeleton.emplace();
   skeleton.time = std::move(clip.time);
-  skeleton.rebuilt = clip.reconstructed;
+  skeleton.reconstructed = clip.reconstructed;
   skeleton.parents = std::move(clip.body.parents);
   skeleton.parents.resize(joints.size());
   skeleton.position = Array2D<Vec3>(rows, joints.size(), unknown_point());

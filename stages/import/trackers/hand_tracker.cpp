@@ -23,7 +23,7 @@ void drop_unseen(HandClip& clip, std::vector<std::string>& reports) {
     auto& hand = clip.hands[static_cast<std::size_t>(side)];
     if (!hand || ever_seen(hand)) continue;
     hand.reset();
-    reports.push_back(fmt::format("the {} hand was never seen", name_of(side)));
+    reports.push_back(fmt::format("the {} hand is never visible", name_of(side)));
   }
 }
 
@@ -38,13 +38,11 @@ TrackerFrame tracker_frame(const RecordingFiles& files, const std::string& axes,
                            std::vector<std::string>& reports) {
   const std::string file = files.file.string();
   if (!files.static_trial.empty()) {
-    throw InputError(fmt::format("{}: static: this format has no static trial", file));
+    throw InputError(fmt::format("{}: static_trial: this format has no static trial", file));
   }
   if (!files.name_map.empty()) {
     throw InputError(
-        fmt::format("{}: names: this format's names are known: there is nothing to "
-                    "map",
-                    file));
+        fmt::format("{}: names: the names of this format are known; remove names", file));
   }
   TrackerFrame frame;
   frame.unit_m = resolve_unit_m(unit, files.conventions, file, reports);
@@ -62,16 +60,17 @@ RecordedHand unseen_hand(std::size_t rows) {
 void add_time(double time_s, const std::string& file, std::size_t line, const std::string& key,
               std::vector<double>& time) {
   if (!time.empty() && !(time_s > time.back())) {
-    throw InputError(fmt::format("{}:{}: {}: does not follow the row before", file, line, key));
+    throw InputError(
+        fmt::format("{}:{}: {}: must be greater than in the previous row", file, line, key));
   }
   time.push_back(time_s);
 }
 
 void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstration& demonstration) {
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   drop_unseen(clip, reports);
   if (!clip.hands[0] && !clip.hands[1] && clip.body.names.empty()) {
-    throw InputError(fmt::format("{}: no hand was seen in any frame", files.file.string()));
+    throw InputError(fmt::format("{}: no hand is visible in any frame", files.file.string()));
   }
   check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
   check_world(clip, reports);
@@ -80,7 +79,7 @@ void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstratio
 
 void add_shape(HandClip&& clip, const RecordingFiles& files, const std::string& why,
                Demonstration& demonstration) {
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   drop_unseen(clip, reports);
   Side side = files.hand;
   if (!clip.hands[static_cast<std::size_t>(side)]) {
@@ -88,9 +87,9 @@ void add_shape(HandClip&& clip, const RecordingFiles& files, const std::string& 
   }
   auto& hand = clip.hands[static_cast<std::size_t>(side)];
   if (!hand)
-    throw InputError(fmt::format("{}: no hand was seen in any frame", files.file.string()));
+    throw InputError(fmt::format("{}: no hand is visible in any frame", files.file.string()));
   check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
-  reports.push_back(fmt::format("{}: only the shape of the {} hand is taken, not where it was", why,
+  reports.push_back(fmt::format("{}: only the shape of the {} hand is used, not its position", why,
                                 name_of(side)));
   HandStream& stream = demonstration.streams.hand.emplace();
   stream.kind = HandKind::keypoints;
@@ -105,8 +104,8 @@ SceneObject placeholder_sphere(const std::string& name, std::vector<std::string>
   ball.shape = Shape::sphere;
   ball.size = {kPlaceholderRadius_m};
   reports.push_back(fmt::format(
-      "object {}: only its pose was recorded: taken as a ball of {:.0f} mm around its origin; "
-      "`target.body` of a config gives its shape",
+      "object {}: only its pose was recorded; assumed a ball of {:.0f} mm diameter at its origin; "
+      "set `target.body` in a config for its shape",
       name, 2000 * kPlaceholderRadius_m));
   return ball;
 }

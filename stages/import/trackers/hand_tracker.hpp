@@ -34,8 +34,8 @@ TrackerFrame tracker_frame(const RecordingFiles& files, const std::string& axes,
 /// Returns a hand with all joints unseen in `rows` frames.
 RecordedHand unseen_hand(std::size_t rows);
 
-/// Appends a time. Throws InputError "FILE:LINE: KEY: does not follow the row before" if it does
-/// not increase.
+/// Appends a time. Throws InputError "FILE:LINE: KEY: must be greater than in the previous row" if
+/// it does not increase.
 void add_time(double time_s, const std::string& file, std::size_t line, const std::string& key,
               std::vector<double>& time);
 

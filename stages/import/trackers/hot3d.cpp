@@ -77,7 +77,7 @@ HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const Tra
   each_json_line(file, [&](const JsonNode& line) {
     const std::int64_t now = stamp_of(line);
     if (!stamps.empty() && now <= stamps.back()) {
-      line.at("timestamp_ns").fail("does not follow the line before");
+      line.at("timestamp_ns").fail("must be greater than in the previous line");
     }
     if (!stamps.empty() && now - stamps.back() < kSameFrame_ns) {
       ++frames.duplicate_count;
@@ -232,13 +232,13 @@ Metadata read_metadata(const fs::path& folder, const RecordingFiles& files) {
     said.axes = "x -z y";
   } else if (files.conventions.axes.empty()) {
     throw UnresolvedConvention(
-        "axes", fmt::format("{}: axes: no metadata.json beside it names the headset (Aria "
+        "axes", fmt::format("{}: axes: no metadata.json beside the file names the headset (Aria "
                             "has Z up, Quest 3 Y); give --axes or `axes:`",
                             files.file.string()));
   }
   said.because = fmt::format(
-      "up as in the world of a headset of the kind {}; which way the person "
-      "faces is not said",
+      "up axis of the headset {}; facing direction "
+      "not in the file",
       headset);
   return said;
 }
@@ -256,25 +256,25 @@ Demonstration read_hot3d(const RecordingFiles& files) {
   const fs::path folder = files.file.parent_path();
   const fs::path profile = folder / "umetrack_hand_user_profile.json";
   if (!is_file(profile)) {
-    throw InputError(fmt::format("{}: its hand's model, {}, is missing beside it",
-                                 files.file.string(), profile.filename().string()));
+    throw InputError(fmt::format("{}: the hand model {} is missing beside it", files.file.string(),
+                                 profile.filename().string()));
   }
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   const Metadata said = read_metadata(folder, files);
   demonstration.subject = said.subject;
   const TrackerFrame frame = tracker_frame(files, said.axes, "m", said.because, reports);
   HandFrames read = read_hands(files.file, read_umetrack_hand(profile), frame);
   if (read.duplicate_count > 0) {
-    reports.push_back(fmt::format("{} within 10 ms of the one before left out: another camera's",
-                                  count_with_noun(read.duplicate_count, "frame")));
+    reports.push_back(
+        fmt::format("{} skipped, within 10 ms of the previous one: from another camera",
+                    count_with_noun(read.duplicate_count, "frame")));
   }
   HandClip clip;
-  if (read.time_ns.empty())
-    throw InputError(fmt::format("{}: holds no frame", files.file.string()));
+  if (read.time_ns.empty()) throw InputError(fmt::format("{}: has no frames", files.file.string()));
   const std::int64_t begin_ns = read.time_ns.front();
   for (const std::int64_t now_ns : read.time_ns) clip.time.push_back(seconds(begin_ns, now_ns));
-  reports.push_back(fmt::format("time 0 is the file's {} ns", begin_ns));
+  reports.push_back(fmt::format("time 0 is {} ns in the file", begin_ns));
   clip.hands = {std::move(read.hands[0]), std::move(read.hands[1])};
   clip.objects = read_objects(folder, frame, begin_ns, reports);
   clip.body = read_head(folder, read.time_ns, frame);

@@ -22,13 +22,13 @@ std::map<std::string, TimedPoses> read_hot3d_poses(const std::filesystem::path& 
     if (!time_ns) csv.fail(line, "timestamp[ns]", "must be a whole number");
     TimedPoses& body = bodies[std::string(row[uid])];
     if (!body.time_ns.empty() && *time_ns <= body.time_ns.back()) {
-      csv.fail(line, "timestamp[ns]", "does not follow this object's row before");
+      csv.fail(line, "timestamp[ns]", "must be greater than in the previous row of this object");
     }
     double v[7];
     for (std::size_t k = 0; k < 7; ++k) v[k] = columns.number(line, row, numbers[k]);
     const Quat turn(v[3], v[4], v[5], v[6]);
     if (!(std::abs(turn.norm() - 1) < 0.01)) {
-      csv.fail(line, "q_wo_w", "is no quaternion of unit length");
+      csv.fail(line, "q_wo_w", "is not a quaternion of unit length");
     }
     body.time_ns.push_back(*time_ns);
     body.pose.push_back(make_pose({v[0], v[1], v[2]}, turn.normalized()));

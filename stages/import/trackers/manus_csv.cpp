@@ -45,9 +45,10 @@ Side side_of(const RecordingFiles& files, const RecordedHand& hand,
   const double out = finger_curl_m(hand.keypoints);
   const bool curls = std::abs(out) > kMinCurl_m;
   const Side side = !curls ? files.hand : out < 0 ? Side::right : Side::left;
-  reports.push_back(fmt::format(
-      "neither _L nor _R ends the file's name: a {} hand, {}", name_of(side),
-      curls ? "as its fingers curl" : "as was asked for: its fingers are too straight to tell"));
+  reports.push_back(fmt::format("the file name does not end in _L or _R: {} hand, {}",
+                                name_of(side),
+                                curls ? "judged by the curl of its fingers"
+                                      : "as requested: its fingers are too straight to judge"));
   return side;
 }
 
@@ -70,11 +71,11 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
                                                          node + "_Position_Z"}));
   }
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
   TrackerFrame frame = tracker_frame(files, "x y z", "cm", "", reports);
   frame.world_from_file.col(0) *= -1;
-  reports.push_back("the file's axes are left-handed: x is negated");
+  reports.push_back("the axes of the file are left-handed; x is negated");
   HandClip clip;
   RecordedHand hand = unseen_hand(columns.rows());
   for (std::size_t line = columns.first_row(); line <= csv.lines.size(); ++line) {

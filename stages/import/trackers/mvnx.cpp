@@ -104,11 +104,11 @@ bool recognises_mvnx(std::string_view head) {
 
 Demonstration read_mvnx(const RecordingFiles& files) {
   Demonstration demonstration;
-  std::vector<std::string>& reports = demonstration.reports;
+  std::vector<std::string>& reports = demonstration.import_notes;
   const TrackerFrame frame = tracker_frame(
-      files, "-y x z", "m", "of an MVNX: x forward at the calibration, y left, z up", reports);
+      files, "-y x z", "m", "MVNX standard: x forward at the calibration, y left, z up", reports);
   const MvnxFile mvnx = read_mvnx_file(files.file, files.conventions.rate_hz.value_or(0));
-  reports.insert(reports.end(), mvnx.reports.begin(), mvnx.reports.end());
+  reports.insert(reports.end(), mvnx.import_notes.begin(), mvnx.import_notes.end());
   demonstration.subject = mvnx.subject;
   HandClip clip;
   clip.time = mvnx.time;
@@ -127,10 +127,10 @@ Demonstration read_mvnx(const RecordingFiles& files) {
     const MvnxSegments& fingers = mvnx.fingers[which];
     add_fingers(fingers, side, frame, hand);
     if (fingers.labels.empty()) {
-      reports.push_back(fmt::format("the {} hand wore no glove: no fingers", name_of(side)));
+      reports.push_back(fmt::format("no glove on the {} hand: no fingers recorded", name_of(side)));
     } else if (fingers.tips.empty()) {
       reports.push_back(
-          fmt::format("the file does not say where the tips of the {} hand lie in "
+          fmt::format("the file does not state the positions of the {} fingertips in "
                       "their segments",
                       name_of(side)));
     }

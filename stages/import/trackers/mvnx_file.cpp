@@ -41,14 +41,15 @@ std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, st
     double value = 0;
     const auto [stop, error] = std::from_chars(at, end, value);
     if (error != std::errc() || !std::isfinite(value)) {
-      xml.fail(element, element.Value(), fmt::format("number {} is none", numbers.size() + 1));
+      xml.fail(element, element.Value(),
+               fmt::format("value {} is not a number", numbers.size() + 1));
     }
     numbers.push_back(value);
     at = stop;
   }
   if (numbers.size() != count) {
     xml.fail(element, element.Value(),
-             fmt::format("must hold {} numbers, not {}", count, numbers.size()));
+             fmt::format("must have {} numbers, not {}", count, numbers.size()));
   }
   return numbers;
 }
@@ -86,7 +87,7 @@ void read_frame(const XmlText& xml, const XmlElement& frame, const std::string& 
                     orientation[4 * k + 3]);
     if (!(std::abs(turn.norm() - 1) < 0.01)) {
       xml.fail(turns, turns.Value(),
-               fmt::format("{}: is no quaternion of unit length", segments.labels[k]));
+               fmt::format("{}: is not a quaternion of unit length", segments.labels[k]));
     }
     segments.orientation(row, k) = turn.normalized();
   }
@@ -113,9 +114,10 @@ std::vector<const XmlElement*> motion_frames(const XmlText& xml, const XmlElemen
       ++poses;
     }
   }
-  if (motion.empty()) xml.fail(frames, "frame", "none is of the type normal");
+  if (motion.empty()) xml.fail(frames, "frame", "no frame has the type normal");
   if (poses > 0) {
-    reports.push_back(fmt::format("{} of the calibration left out", count_with_noun(poses, "frame")));
+    reports.push_back(
+        fmt::format("{} of the calibration skipped", count_with_noun(poses, "frame")));
   }
   return motion;
 }
@@ -135,15 +137,15 @@ MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
   const std::size_t people = files::children(xml.root(), "subject").size();
   if (const char* label = subject.Attribute("label")) read.subject = label;
   if (people > 1) {
-    read.reports.push_back(
-        fmt::format("the file holds {} people: the first, {}, is taken", people, read.subject));
+    read.import_notes.push_back(
+        fmt::format("the file has {} people; the first, {}, is used", people, read.subject));
   }
   if (!(rate_hz > 0)) rate_hz = number_attribute(xml, subject, "frameRate");
   if (!(rate_hz > 0)) xml.fail(subject, "subject.frameRate", "must be positive");
   read.body = read_segments(xml, &child_of(xml, subject, "segments"));
   read.fingers[0] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsRight"));
   read.fingers[1] = read_segments(xml, subject.FirstChildElement("fingerTrackingSegmentsLeft"));
-  const auto frames = motion_frames(xml, child_of(xml, subject, "frames"), read.reports);
+  const auto frames = motion_frames(xml, child_of(xml, subject, "frames"), read.import_notes);
   allocate_frames(read.body, frames.size());
   for (MvnxSegments& hand : read.fingers) allocate_frames(hand, frames.size());
   double first = 0, last = 0;
@@ -155,7 +157,7 @@ MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
     if (row == 0) {
       first = index;
     } else if (!(index > last)) {
-      xml.fail(frame, "frame.index", "does not follow the frame before");
+      xml.fail(frame, "frame.index", "must be greater than in the previous frame");
     }
     last = index;
     read.time.push_back((index - first) / rate_hz);

@@ -22,10 +22,10 @@ struct MvnxSegments {
 /// An MVNX file of Xsens, with its frames of motion, without those of the calibration.
 struct MvnxFile {
   std::string file, subject;
-  std::vector<double> time;             ///< [N] [s]
-  MvnxSegments body;                    ///< segments of the body
-  std::array<MvnxSegments, 2> fingers;  ///< by Side; without labels if there is no glove
-  std::vector<std::string> reports;     ///< assumptions and repairs
+  std::vector<double> time;               ///< [N] [s]
+  MvnxSegments body;                      ///< segments of the body
+  std::array<MvnxSegments, 2> fingers;    ///< by Side; without labels if there is no glove
+  std::vector<std::string> import_notes;  ///< assumptions and repairs
 };
 
 /// Reads an MVNX file. `rate_hz` takes precedence over the file's (0 for the file's). Throws

@@ -54,7 +54,7 @@ UmetrackHand read_umetrack_hand(const std::filesystem::path& profile) {
       landmark.bone[i] = static_cast<std::size_t>(bone);
     }
     if (!(std::abs(sum - 1) < 0.01)) {
-      model.at("landmark_rest_bone_weights").fail("those of a landmark must sum up to 1");
+      model.at("landmark_rest_bone_weights").fail("the weights of a landmark must sum to 1");
     }
   }
   return hand;

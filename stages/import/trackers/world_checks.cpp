@@ -55,10 +55,9 @@ void report_up_axis(const HandClip& clip, const std::vector<std::vector<Vec3>>& 
   if (above.empty()) return;
   const double usual = math::median(above);
   if (usual < kMaxHandsAboveHead_m) return;
-  reports.push_back(
-      fmt::format("the hands are {:.2f} m above the head in the median: another axis may be up "
-                  "(--axes)",
-                  usual));
+  reports.push_back(fmt::format(
+      "the median height of the hands above the head is {:.2f} m; another axis may be up (--axes)",
+      usual));
 }
 
 /// Returns the distance from an object to the nearest wrist that was seen at about that time; NaN
@@ -116,9 +115,8 @@ void check_world(const HandClip& clip, std::vector<std::string>& reports) {
     const double moved = displacement_before_contact(object, clip.time, wrists);
     if (moved > kStationaryMotion_m) {
       reports.push_back(
-          fmt::format("object {} moves by {:.2f} m before a hand has come near: the frame itself "
-                      "may move, as a "
-                      "camera's does, or something else moves the object",
+          fmt::format("object {} moves by {:.2f} m before a hand comes near: the reference frame "
+                      "may move, as a camera's does, or something else moves the object",
                       object.name, moved));
     }
   }

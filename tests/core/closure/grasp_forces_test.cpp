@@ -94,12 +94,22 @@ TEST(ShareForces, SharesThatCannotBalance) {
   EXPECT_LT(squeeze.max_force_n, 0.01);
 }
 
+/// f_n of one contact is at most `newtons`.
+ForceBound pressing_at_most(const ContactSet& set, std::size_t contact, double newtons) {
+  ForceBound bound;
+  bound.force.assign(set.contacts.size(), Vec3::Zero());
+  bound.moment.assign(set.contacts.size(), 0);
+  bound.force[contact] = set.contacts[contact].normal;
+  bound.upper_bound = newtons;
+  return bound;
+}
+
 TEST(ShareForces, BoundsHold) {
   const ContactSet set = hand();
   const GraspForceOptions options{8, 0.2, 0.7};
-  std::vector<ForceBound> bounds{normal_force_bound(set, 0, 5), normal_force_bound(set, 1, 1.05)};
+  std::vector<ForceBound> bounds{pressing_at_most(set, 0, 5), pressing_at_most(set, 1, 1.05)};
   // A joint of the last finger: 0.04 N m at a lever of 30 mm against forces along x.
-  ForceBound joint = normal_force_bound(set, 4, 0.04);
+  ForceBound joint = pressing_at_most(set, 4, 0.04);
   joint.force[4] = {0.03, 0, 0.01};
   bounds.push_back(joint);
   const GraspForces squeeze = distribute_grasp_forces(set, weight(2.943), options, bounds);

@@ -88,14 +88,14 @@ TEST(GravityMargin, CentreOfMassBesideTheLine) {
   const GravityMargin margin = gravity_margin(pinch(mu, gamma), load, Vec3::UnitY(), kFine);
   const double torsion = mass * kGravity_m_s2 * off / (2 * gamma),
                weight = mass * kGravity_m_s2 / (2 * mu);
-  EXPECT_GT(margin.insufficient_force_n(mass), torsion);
+  EXPECT_GT(mass * kGravity_m_s2 / margin.upper, torsion);
   EXPECT_NEAR(margin.sufficient_force_n(mass), std::hypot(torsion, weight), 0.02);
   EXPECT_NEAR(torsion, 14.715, 1e-9);
   // In the direction of the offset nothing turns, and without torsion nothing resists the turning.
   expect_around(gravity_margin(pinch(mu, gamma), load, Vec3::UnitX(), kFine), 2 * mu);
   const GravityMargin hard = gravity_margin(pinch(mu, 0), load, Vec3::UnitY());
   EXPECT_EQ(hard.upper, 0);
-  EXPECT_EQ(hard.insufficient_force_n(mass), kInfinity);
+  EXPECT_EQ(hard.sufficient_force_n(mass), kInfinity);
   const GravityMargin worst = worst_gravity_margin(pinch(mu, 0), load);
   EXPECT_EQ(worst.upper, 0);
   EXPECT_NEAR(std::abs(worst.direction.y()), 1, 1e-6);
@@ -133,7 +133,7 @@ TEST(GravityMargin, ForcesAreFoundForTheSqueezeThatIsEnough) {
       return distribute_grasp_forces(set, weight, {newtons, 0, 1}).residual.norm();
     };
     EXPECT_LT(left_over(1.001 * margin.sufficient_force_n(load.mass_kg)), 1e-4);
-    EXPECT_GT(left_over(0.99 * margin.insufficient_force_n(load.mass_kg)), 1e-4);
+    EXPECT_GT(left_over(0.99 * load.mass_kg * kGravity_m_s2 / margin.upper), 1e-4);
   }
   EXPECT_GT(held, 15);
 }

@@ -88,11 +88,11 @@ TEST(WrenchSet, WhatIsWrongIsSaid) {
   EXPECT_EQ(wrong([](ContactSet& set) { set.torque_scale_m = 0; }),
             "the torque scale must be above 0");
   EXPECT_EQ(wrong([](ContactSet& set) { set.reference[1] = kUnknown; }),
-            "the reference point is not a point");
+            "the reference point must be finite");
   EXPECT_EQ(wrong([](ContactSet& set) { set.contacts[1].point[0] = kInfinity; }),
-            "contact 1: its point is none");
+            "contact 1: its point must be finite");
   EXPECT_EQ(wrong([](ContactSet& set) { set.contacts[0].normal *= 1.01; }),
-            "contact 0: its normal is no unit vector");
+            "contact 0: its normal is not a unit vector");
 }
 
 }  // namespace

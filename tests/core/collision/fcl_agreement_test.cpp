@@ -68,8 +68,8 @@ struct Pair {
   }
   CollisionWorld& make(double margin_m, double depth_m) {
     Tolerances tolerances;
-    tolerances.margin = margin_m;
-    tolerances.contact_depth = depth_m;
+    tolerances.required_clearance = margin_m;
+    tolerances.max_penetration = depth_m;
     Movement movement;
     movement.target = "cup";
     movement.phases = {{PhaseKind::grasp, 1, 2, 1}};
@@ -96,7 +96,8 @@ TEST_P(FclAgreement, VerdictOnObjectsWithMarginAndWithContact) {
     const CollisionWorld& world = pair.make(random.uniform(0, 0.01), depth_m);
     for (const double time_s : {0.5, 1.5}) {
       const PairSeparation least = least_slack(world, q, time_s, scratch);
-      ASSERT_DOUBLE_EQ(least.required_distance_m, time_s < 1 ? world.tolerances.margin : -depth_m);
+      ASSERT_DOUBLE_EQ(least.required_distance_m,
+                       time_s < 1 ? world.tolerances.required_clearance : -depth_m);
       if (std::abs(least.slack()) < 1e-6) continue;
       EXPECT_EQ(FclEngine(world).is_free(q, time_s, scratch), least.slack() >= 0)
           << name_of(GetParam()) << " " << k << " slack " << least.slack();

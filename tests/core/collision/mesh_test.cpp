@@ -172,12 +172,12 @@ TEST(Mesh, BrokenOnesAreNamedAndCollide) {
     EXPECT_EQ(mesh.solid, nullptr);
     EXPECT_LT(capsule_solid(body, mesh.ready(), Pose::Identity()).distance, -0.5);
   };
-  broken(mesh_object({}, {}), "it has no triangles");
-  broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 1}}), "it has no triangles");
+  broken(mesh_object({}, {}), "the mesh has no triangles");
+  broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 1}}), "the mesh has no triangles");
   broken(mesh_object({Vec3::Zero(), Vec3::UnitX()}, {{0, 1, 2}}),
-         "a triangle's corner does not exist");
+         "a triangle refers to a vertex that does not exist");
   broken(mesh_object({Vec3::Zero(), Vec3::UnitX(), unknown_point()}, {{0, 1, 2}}),
-         "a vertex is not a number");
+         "a vertex is not finite");
 }
 
 TEST(Mesh, WorldPreparesItAndCertifiesPastIt) {

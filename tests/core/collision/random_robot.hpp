@@ -50,7 +50,7 @@ inline RobotModel random_robot(RandomBodies& random) {
   robot.lower = JointVector::Constant(8, -3);
   robot.upper = JointVector::Constant(8, 3);
   for (int c = 0; c + 1 < static_cast<int>(robot.capsules.size()); ++c) {
-    robot.allowed_pairs.push_back({c, c + 1});
+    robot.allowed_collision_pairs.push_back({c, c + 1});
   }
   return robot;
 }

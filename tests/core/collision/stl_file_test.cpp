@@ -55,14 +55,14 @@ TEST_F(StlFile, TextAndBinary) {
 TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
   std::string cut = binary(2, 1);
   cut[0] = 'x';
-  EXPECT_EQ(read(cut), "claims 2 facets, and ends after 1");
+  EXPECT_EQ(read(cut), "the header states 2 facets, but the file has only 1");
   std::string huge = binary(0xffffffff, 1);
   huge[0] = 'x';
-  EXPECT_EQ(read(huge), "claims 4294967295 facets, and ends after 1");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2\n"), "line 4: a corner needs three numbers");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2 x\n"), "line 3: a corner needs three numbers");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nendfacet\n"), "line 3: a facet has not three corners");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\n"), "ends in the middle of a facet");
+  EXPECT_EQ(read(huge), "the header states 4294967295 facets, but the file has only 1");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2\n"), "line 4: a corner needs 3 numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2 x\n"), "line 3: a corner needs 3 numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nendfacet\n"), "line 3: a facet must have 3 corners");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\n"), "the file ends within a facet");
   EXPECT_EQ(read(""), "");  // nothing: a mesh without triangles is for others to refuse
   EXPECT_TRUE(mesh.triangles.empty());
 }

@@ -27,9 +27,9 @@ TEST(MakeWorld, LeavesOutAllowedAndRigidPairs) {
   // which is one of those already.
   EXPECT_EQ(world.pairs.size(), 55u);
   RobotModel stiff = robot;
-  stiff.allowed_pairs.clear();
+  stiff.allowed_collision_pairs.clear();
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 65u);
-  stiff.allowed_pairs = {{7, 2}};
+  stiff.allowed_collision_pairs = {{7, 2}};
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 64u);
   stiff.capsules[1].frame = -1;
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 63u);
@@ -48,8 +48,8 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   EXPECT_FALSE(may_touch(world, 5, 4, 0.71));
   EXPECT_FALSE(may_touch(world, 5, 3, 0.5));
   EXPECT_FALSE(may_touch(world, 4, 4, 0.5));
-  EXPECT_EQ(required_distance_m(world, 5, 4, 0.5), -world.tolerances.contact_depth);
-  EXPECT_EQ(required_distance_m(world, 5, 4, 0.1), world.tolerances.margin);
+  EXPECT_EQ(required_distance_m(world, 5, 4, 0.5), -world.tolerances.max_penetration);
+  EXPECT_EQ(required_distance_m(world, 5, 4, 0.1), world.tolerances.required_clearance);
 
   Movement movement = grasping();
   movement.phases.erase(movement.phases.begin() + 1);
@@ -71,10 +71,10 @@ TEST(MakeWorld, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
   CollisionWorld world = make_world(robot, scene, grasping(), {});
   const int pad = static_cast<int>(table.capsules.size()) - 1;
   EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.5), -0.005);
-  world.tolerances.link_depth = 0.0005;
+  world.tolerances.max_link_penetration = 0.0005;
   EXPECT_EQ(required_distance_m(world, pad, 4, 0.5), -0.005);
   EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.5), -0.0005);
-  EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.1), world.tolerances.margin);
+  EXPECT_EQ(required_distance_m(world, pad - 1, 4, 0.1), world.tolerances.required_clearance);
 }
 
 /// Every pair, without the shortcuts.
@@ -85,7 +85,7 @@ std::vector<PairSeparation> all_pairs(const CollisionWorld& world, double time_s
     pairs.push_back({i, j, false,
                      capsule_capsule(scratch.bodies[static_cast<std::size_t>(i)],
                                      scratch.bodies[static_cast<std::size_t>(j)]),
-                     world.tolerances.margin});
+                     world.tolerances.required_clearance});
   }
   for (std::size_t i = 0; i < scratch.bodies.size(); ++i) {
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {

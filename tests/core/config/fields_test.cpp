@@ -135,7 +135,7 @@ TEST(Fields, AllThatIsWrongIsToldAtOnce) {
             "o.yaml:3: inner.nmaes: unknown key; did you mean 'names'?\n"
             "o.yaml:5: list[0].z: unknown key");
   EXPECT_EQ(error_of<Strict>("neded: 1"),
-            "o.yaml:1: needed: is missing; is 'neded' meant for it?\n"
+            "o.yaml:1: needed: is missing; is 'neded' a misspelling of it?\n"
             "o.yaml:1: neded: unknown key; did you mean 'needed'?");
 }
 
@@ -145,16 +145,9 @@ TEST(Fields, AMessageThatBeginsWithAKeyIsToldOfIt) {
 
 TEST(Fields, OneThatDoesNotIsToldOfTheSection) {
   const ConfigNode root = ConfigNode::parse("a:\n  b: 1", "o.yaml");
-  EXPECT_THROW(
-      {
-        try {
-          root["a"].fail_at_key("c must be positive");
-        } catch (const InputError& error) {
-          EXPECT_STREQ(error.what(), "o.yaml:2: a: c must be positive");
-          throw;
-        }
-      },
-      InputError);
+  EXPECT_THAT(
+      [&] { root["a"].fail_at_key("c must be positive"); },
+      testing::ThrowsMessage<InputError>(testing::StrEq("o.yaml:2: a: c must be positive")));
 }
 
 }  // namespace

@@ -7,8 +7,12 @@
 namespace morphe::config {
 namespace {
 
+using testing::AllOf;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
+using testing::StrEq;
+using testing::ThrowsMessage;
 
 std::string refused(const std::string& text) {
   try {
@@ -20,10 +24,13 @@ std::string refused(const std::string& text) {
 }
 
 TEST(HostileYaml, AnAliasOfItself) {
-  EXPECT_THAT(refused("a: &a [*a]\n"), HasSubstr("nested deeper than 100 levels, or holds itself"));
-  EXPECT_THAT(refused("a: &a {b: *a}\n"), HasSubstr("holds itself"));
+  EXPECT_THAT(refused("a: &a [*a]\n"),
+              HasSubstr("nested deeper than 100 levels, or contains itself"));
+  EXPECT_THAT(refused("a: &a {b: *a}\n"), HasSubstr("contains itself"));
   ConfigNode node = ConfigNode::parse("b: 1\n", "a.yaml");
-  EXPECT_THROW(node.set("b", "&a [*a]"), InputError);
+  EXPECT_THAT(
+      [&] { node.set("b", "&a [*a]"); },
+      ThrowsMessage<InputError>(AllOf(StartsWith("--set b:1: "), HasSubstr("contains itself"))));
 }
 
 TEST(HostileYaml, AliasesThatMakeMuchOfLittle) {
@@ -33,7 +40,7 @@ TEST(HostileYaml, AliasesThatMakeMuchOfLittle) {
     for (int k = 0; k < 10; ++k) text += fmt::format("{}*a{}", k == 0 ? "" : ", ", i - 1);
     text += "]\n";
   }
-  EXPECT_THAT(refused(text), HasSubstr("holds more than 1000000 values"));
+  EXPECT_THAT(refused(text), HasSubstr("has more than 1000000 values"));
 }
 
 TEST(HostileYaml, TwoHundredThousandKeysTakeNoLongerThanTheirLength) {
@@ -43,7 +50,9 @@ TEST(HostileYaml, TwoHundredThousandKeysTakeNoLongerThanTheirLength) {
   double sum = 0;
   for (const std::string& key : node.keys()) sum += node[key].number();
   EXPECT_EQ(sum, 200'000);
-  EXPECT_THROW(ConfigNode::parse(text, "a.yaml").require_all_keys_read(), InputError);
+  EXPECT_THAT([&] { ConfigNode::parse(text, "a.yaml").require_all_keys_read(); },
+              ThrowsMessage<InputError>(AllOf(StartsWith("a.yaml:1: key_0: unknown key\n"),
+                                              EndsWith("\n… and 980 more"))));
 }
 
 TEST(HostileYaml, NestingWithoutEnd) {
@@ -55,11 +64,13 @@ TEST(HostileYaml, NestingWithoutEnd) {
   std::string path = "a";
   for (int i = 0; i < 10'000; ++i) path += ".a";
   ConfigNode node = ConfigNode::parse("b: 1\n", "a.yaml");
-  EXPECT_THROW(node.set(path, "1"), InputError);
+  EXPECT_THAT([&] { node.set(path, "1"); },
+              ThrowsMessage<InputError>(StrEq("--set: names more than 100 levels")));
 }
 
 TEST(HostileYaml, ASecondDocumentIsNotIgnored) {
-  EXPECT_EQ(refused("a: 1\n---\nb: 2\n"), "a.yaml:3: a second document begins: there may be one");
+  EXPECT_EQ(refused("a: 1\n---\nb: 2\n"),
+            "a.yaml:3: a second YAML document begins; only one is allowed");
   EXPECT_EQ(refused("---\na: 1\n...\n"), "");
   EXPECT_EQ(refused("a: 1\n---\n# nothing\n"), "");
   EXPECT_NE(refused("---\n---\na: 1\n"), "");
@@ -73,7 +84,7 @@ TEST(HostileYaml, ABraceThatNothingOpenedIsNoEndlessRowOfDocuments) {
 
 TEST(HostileYaml, ControlCharactersOfKeysAreSpelled) {
   EXPECT_THAT(refused("\"a\\e[31m\": 1\n\"a\\e[31m\": 2\n"),
-              HasSubstr("a\\u001b[31m: the key stands twice"));
+              HasSubstr("a\\u001b[31m: the key appears twice"));
   const ConfigNode node = ConfigNode::parse("\"x\\ny\": [1]\n", "a.yaml");
   try {
     node["x\ny"].number();

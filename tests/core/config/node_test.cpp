@@ -87,7 +87,7 @@ TEST(ConfigNode, AKeyWithoutAValueAsksForTheDefault) {
 }
 
 TEST(ConfigNode, RefusesARepeatedKey) {
-  EXPECT_EQ(error_of([] { parse("a: 1\nb: 2\na: 3\n"); }), "a.yaml:3: a: the key stands twice");
+  EXPECT_EQ(error_of([] { parse("a: 1\nb: 2\na: 3\n"); }), "a.yaml:3: a: the key appears twice");
 }
 
 TEST(ConfigNode, RefusesWhatIsNoYaml) {

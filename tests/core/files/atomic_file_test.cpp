@@ -13,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::StrEq;
+using testing::ThrowsMessage;
 
 std::string text_of(const fs::path& file) {
   std::stringstream text;
@@ -54,7 +56,7 @@ TEST_F(PartFileTest, ThePartOfAKilledProcessIsReplaced) {
 TEST_F(PartFileTest, LinksAreNotFollowed) {
   std::ofstream(folder / "victim") << "kept";
   fs::create_symlink(folder / "victim", part);
-  EXPECT_THAT(refused(), HasSubstr("a.txt.part: is in the way"));
+  EXPECT_THAT(refused(), HasSubstr("a.txt.part: exists and is not a regular file"));
   EXPECT_EQ(text_of(folder / "victim"), "kept");
   fs::remove(part);
   fs::create_hard_link(folder / "victim", part);
@@ -64,10 +66,10 @@ TEST_F(PartFileTest, LinksAreNotFollowed) {
 
 TEST_F(PartFileTest, DevicesPipesAndFoldersAreNoOutputs) {
   fs::create_symlink("/dev/null", target);
-  EXPECT_THAT(refused(), HasSubstr("is no file but a device"));
+  EXPECT_THAT(refused(), HasSubstr("is a device, pipe or socket"));
   fs::remove(target);
   ASSERT_EQ(::mkfifo(target.c_str(), 0600), 0);
-  EXPECT_THAT(refused(), HasSubstr("is no file but a device"));
+  EXPECT_THAT(refused(), HasSubstr("is a device, pipe or socket"));
   fs::remove(target);
   fs::create_directory(target);
   EXPECT_THAT(refused(), HasSubstr("is a folder"));
@@ -78,7 +80,9 @@ TEST_F(PartFileTest, OfTwoAtOnceTheLaterWritesAndTheOtherSaysSo) {
   AtomicFile first(target), second(target);
   first.write("first");
   second.write("second");
-  EXPECT_THROW(first.commit(), InputError);
+  EXPECT_THAT(
+      [&] { first.commit(); },
+      ThrowsMessage<InputError>(StrEq(target.string() + ": another process is writing it")));
   second.commit();
   EXPECT_EQ(text_of(target), "second");
 }
@@ -86,7 +90,9 @@ TEST_F(PartFileTest, OfTwoAtOnceTheLaterWritesAndTheOtherSaysSo) {
 TEST_F(PartFileTest, AFileThatIsReadIsNotReplaced) {
   std::ofstream(folder / "input") << "read";
   fs::create_hard_link(folder / "input", target);
-  EXPECT_THROW(expect_not_input(target, folder / "input"), InputError);
+  EXPECT_THAT([&] { expect_not_input(target, folder / "input"); },
+              ThrowsMessage<InputError>(
+                  StrEq(target.string() + ": is an input file; writing it would replace it")));
   expect_not_input(folder / "other", folder / "input");
   expect_not_input("", folder / "input");
 }

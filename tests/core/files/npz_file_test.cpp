@@ -81,7 +81,7 @@ TEST(Npy, TextAndItsEncodings) {
             (std::vector<std::string>{"\xC3\xA9", "\xF0\x9F\x98\x80"}));
   EXPECT_EQ(array_of(npy("|S3", "(2,)", bytes_of({'a', 'b', 0, 0xE9, 0, 0}))).text,
             (std::vector<std::string>{"ab", "\xC3\xA9"}));
-  EXPECT_NE(npy_error(npy("<U1", "()", bytes_of({0, 0xD8, 0, 0}))).find("no character"),
+  EXPECT_NE(npy_error(npy("<U1", "()", bytes_of({0, 0xD8, 0, 0}))).find("invalid character"),
             std::string::npos);
 }
 
@@ -95,7 +95,7 @@ TEST(Npy, FirstIndexFastestIsTurnedRound) {
 }
 
 TEST(Npy, SaysWhatItDoesNotRead) {
-  EXPECT_NE(npy_error(npy("|O", "(1,)", "\x80\x04.")).find("a.npz: key: holds Python objects"),
+  EXPECT_NE(npy_error(npy("|O", "(1,)", "\x80\x04.")).find("a.npz: key: contains Python objects"),
             std::string::npos);
   EXPECT_NE(npy_error(npy("<c16", "()", std::string(16, 0))).find("'<c16'"), std::string::npos);
   EXPECT_NE(npy_error(npy("<M8[ns]", "()", std::string(8, 0))).find("'<M8[ns]'"),
@@ -106,7 +106,7 @@ TEST(Npy, SaysWhatItDoesNotRead) {
             std::string::npos);
   EXPECT_NE(npy_error(npy("<U0", "(999999999,)", "")).find("134 million"), std::string::npos);
   EXPECT_NE(npy_error(npy("<f8", "(-1,)", "")).find("header"), std::string::npos);
-  EXPECT_NE(npy_error("PK").find("no .npy"), std::string::npos);
+  EXPECT_NE(npy_error("PK").find("not a .npy"), std::string::npos);
 }
 
 /// As numpy's savez makes them: zip64's extra field in the local header, none in the directory.
@@ -186,13 +186,13 @@ TEST(Zip, DamageAndTricksAreRefused) {
   locked[locked.find("PK\x01\x02") + 8] = 1;
   EXPECT_EQ(zip_error(locked), "a.npz: x.npy: is encrypted");
   const std::string twice = files::zip({{"x.npy", "a"}, {"x.npy", "b"}}, "a.npz");
-  EXPECT_EQ(zip_error(twice), "a.npz: x.npy: stands twice");
+  EXPECT_EQ(zip_error(twice), "a.npz: x.npy: appears twice");
   std::string bomb = as_numpy_zips("x.npy", std::string(100, 'a'), true);
   bomb.replace(bomb.find("PK\x01\x02") + 24, 4, std::string("\0\0\0\x20", 4));  // 512 MiB
-  EXPECT_NE(zip_error(bomb).find("cannot unpack to the size"), std::string::npos);
+  EXPECT_NE(zip_error(bomb).find("stated unpacked size is impossible"), std::string::npos);
   bomb.replace(bomb.find("PK\x01\x02") + 24, 4, std::string("\0\0\0\x70", 4));
   EXPECT_NE(zip_error(bomb).find("1 GiB"), std::string::npos);
-  EXPECT_NE(zip_error("").find("no whole zip archive"), std::string::npos);
+  EXPECT_NE(zip_error("").find("not a complete zip archive"), std::string::npos);
 }
 
 std::filesystem::path temporary() { return std::filesystem::path(testing::TempDir()) / "a.npz"; }

@@ -68,7 +68,7 @@ TEST(ReadInChild, SaysHowItEnded) {
   EXPECT_EQ(child_read_error(file, [] {}), "");
   EXPECT_EQ(child_read_error(file, [] { throw InputError("is for its reader"); }), "");
   EXPECT_EQ(child_read_error(file, [] { throw std::runtime_error("of a library"); }),
-            "the library that reads it fails on it");
+            "the library that reads it fails");
   const auto crash = [] {
     volatile int* volatile nowhere = nullptr;
     *nowhere = 1;

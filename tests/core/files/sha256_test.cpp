@@ -1,5 +1,6 @@
 #include "core/files/sha256.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -32,7 +33,9 @@ TEST(Sha256, FilesOfAnySize) {
   std::ofstream(file, std::ios::binary) << blocks;
   EXPECT_EQ(sha256_of_file(file), sha256(blocks));
   std::filesystem::remove(file);
-  EXPECT_THROW(sha256_of_file(file), InputError);
+  EXPECT_THAT(
+      [&] { sha256_of_file(file); },
+      testing::ThrowsMessage<InputError>(testing::StrEq(file.string() + ": cannot be read")));
 }
 
 }  // namespace

@@ -94,14 +94,14 @@ TEST(SensorOffsets, SayWhatIsMissing) {
   streams.markers->names[4] = "nose";
   SensorOffsets offsets = sensor_offsets(streams, problems);
   EXPECT_THAT(offsets.sensors, ElementsAre("shoulder"));
-  EXPECT_THAT(problems, ElementsAre(HasSubstr("do not give the hand's axes: the sensor wrist"),
+  EXPECT_THAT(problems, ElementsAre(HasSubstr("middle_mcp, index_mcp and little_mcp; sensor wrist"),
                                     HasSubstr("no point elbow was digitised")));
   problems.clear();
   streams = calibration_pose(3, 0).streams;
   for (std::size_t i = 0; i < 3; ++i) streams.sensors->position(i, 1) = unknown_point();
   offsets = sensor_offsets(streams, problems);
   EXPECT_THAT(offsets.sensors, ElementsAre("wrist", "elbow"));
-  EXPECT_THAT(problems, ElementsAre(HasSubstr("never seen whole: the sensor shoulder")));
+  EXPECT_THAT(problems, ElementsAre(HasSubstr("never both recorded; sensor shoulder")));
 }
 
 }  // namespace

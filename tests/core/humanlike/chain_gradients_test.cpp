@@ -97,6 +97,19 @@ TEST(Hull, ASimplexIsADeterminantWhateverItsOrder) {
   }
 }
 
+TEST(Hull, APointInsideACubeChangesNothing) {
+  std::vector<Vec3> cube;
+  for (int i = 0; i < 8; ++i) cube.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+  EXPECT_NEAR(hull_gradient(cube).value, 1, 1e-12);
+  cube.emplace_back(0.5, 0.5, 0.5);
+  EXPECT_NEAR(hull_gradient(cube).value, 1, 1e-12);
+}
+
+TEST(Hull, FlatSetsHaveNoVolume) {
+  EXPECT_EQ(hull_gradient({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).value, 0);
+  EXPECT_EQ(hull_gradient({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.3, 0.6, 0}}).value, 0);
+}
+
 /// Quickhull against the definition: a facet has all points on one side, and only facets do.
 TEST(Hull, QuickhullFindsEveryTriangleWithAllPointsBehindIt) {
   std::mt19937_64 random(6);

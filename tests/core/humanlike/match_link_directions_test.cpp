@@ -110,7 +110,7 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
   std::vector<Pose> poses;
   robot::forward_kinematics(robot, q, poses);
   std::vector<Vec3> middle;
-  for (const auto& centre : robot.centres) {
+  for (const auto& centre : robot.joint_centres) {
     if (centre.chain != "arm") {
       middle.push_back(poses[static_cast<std::size_t>(centre.frame)].translation());
     }
@@ -127,7 +127,7 @@ TEST_F(JointToJointTerms, FingersBetweenTheHumansFollowTheCurve) {
 /// The finger is that of the tip which a centre moves, whatever its chain is called.
 TEST_F(JointToJointTerms, NamesOfFingersDoNotMatter) {
   RobotModel hand = robot::generate_hand({5, 0.2, 0.09});
-  for (auto& centre : hand.centres) centre.chain = "f" + centre.chain;
+  for (auto& centre : hand.joint_centres) centre.chain = "f" + centre.chain;
   robot = robot::Robot(hand);
   objective.get<FingerJointDistance>().weight = 1;
   goal.tip_position.assign(robot.tips.size(), unknown_point());
@@ -136,7 +136,7 @@ TEST_F(JointToJointTerms, NamesOfFingersDoNotMatter) {
   std::vector<Pose> poses;
   robot::forward_kinematics(robot, q, poses);
   goal.finger_joint[3] =
-      poses[static_cast<std::size_t>(robot.centres[3].frame)].translation() + Vec3(0.1, 0, 0);
+      poses[static_cast<std::size_t>(robot.joint_centres[3].frame)].translation() + Vec3(0.1, 0, 0);
   EXPECT_NEAR(at(q).value, 0.01, 1e-12);
 }
 

@@ -61,7 +61,7 @@ TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
       add_objective(objective, robot, q, goal, scratch, model, Curvature::exact);
     };
     solve::MinimiseOptions options;
-    options.evaluations = 5000;
+    options.max_evaluations = 5000;
     const solve::Minimum ours = solve::minimise(problem, made, options);
     EXPECT_TRUE(ours.converged);
     EXPECT_LT(ours.evaluations, 400);
@@ -73,7 +73,7 @@ TEST_P(SolversAgree, OnTheMinimumNextToAStart) {
       same += std::abs(theirs.value - ours.value) < 1e-6 ? 1 : 0;
       EXPECT_GT(solve::minimise(problem, ours.x, options).value, ours.value - 1e-8) << algorithm;
     }
-    options.algorithm = "structured";
+    options.algorithm = "trust_region";
     scratch.new_descent();
   }
   EXPECT_GE(same, 45);  // of 60

@@ -24,7 +24,7 @@ class Terms : public testing::Test {
   }
 
   void set_pad_normals() {
-    goal.pad_share.assign(robot.tips.size(), 0.5);
+    goal.tip_to_pad_share.assign(robot.tips.size(), 0.5);
     goal.pad_normal.assign(robot.tips.size(), unknown_point());
     goal.pad_normal[0] = Vec3(1, 2, -2) / 3;
     goal.pad_normal[2] = -Vec3::UnitY();
@@ -202,7 +202,7 @@ TEST_F(Terms, PadDirectionIsTheChordBetweenPadAndNormal) {
   std::vector<Pose> poses;
   robot::forward_kinematics(robot, q, poses);
   const Eigen::Matrix3d tip = robot::tip_pose(robot, poses, 1).linear();
-  goal.pad_share.assign(robot.tips.size(), 0.5);
+  goal.tip_to_pad_share.assign(robot.tips.size(), 0.5);
   goal.pad_normal.assign(robot.tips.size(), unknown_point());
   const double angle = 40 * std::numbers::pi / 180;
   goal.pad_normal[1] = tip * Vec3(std::cos(angle), 0, std::sin(angle));

@@ -32,19 +32,19 @@ TEST(Name, IsThatOfItsValue) {
   EXPECT_EQ(name_of(PhaseKind::return_phase), "return");
   EXPECT_EQ(name_of(PhaseKind::reach), "reach");
   EXPECT_EQ(name_of(Cause::tracking), "tracking");
-  EXPECT_EQ(name_of(Cause::object), "object");
+  EXPECT_EQ(name_of(Cause::object_collision), "object_collision");
   EXPECT_EQ(name_of(Reason::none), "");
   EXPECT_EQ(name_of(Reason::goal_in_collision), "goal_in_collision");
-  EXPECT_EQ(name_of(Reason::smoothing), "smoothing");
+  EXPECT_EQ(name_of(Reason::smoothing_collision), "smoothing_collision");
   EXPECT_EQ(name_of(Reason::no_retreat), "no_retreat");
-  EXPECT_EQ(name_of(Reason::no_frame), "no_frame");
+  EXPECT_EQ(name_of(Reason::no_reference_frame), "no_reference_frame");
   EXPECT_EQ(name_of(HandKind::keypoints), "keypoints");
-  EXPECT_EQ(name_of(SampleOrigin::re_solved), "re-solved");
+  EXPECT_EQ(name_of(SampleOrigin::re_solved), "re_solved");
 }
 
 TEST(Choice, ReadsLikeASentence) {
   EXPECT_EQ(list_names<Side>(), "right or left");
-  EXPECT_EQ(list_names<SampleOrigin>(), "mapped, re-solved or planned");
+  EXPECT_EQ(list_names<SampleOrigin>(), "mapped, re_solved or planned");
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ TEST(StreamReport, CountsWhatIsThereAndWhatIsNot) {
   EXPECT_DOUBLE_EQ(report.begin_s, 0.5);
   EXPECT_NEAR(report.duration_s, 1, 1e-12);
   EXPECT_NEAR(report.rate_hz, 10, 1e-9);
-  EXPECT_NEAR(report.seen, (7 + 11) / 33.0, 1e-12);
+  EXPECT_NEAR(report.valid_share, (7 + 11) / 33.0, 1e-12);
   EXPECT_EQ(report.gaps, 3u);
-  EXPECT_THAT(report.unseen, ElementsAre("c"));
-  EXPECT_EQ(report.longest_gap_of, "c");
+  EXPECT_THAT(report.empty_columns, ElementsAre("c"));
+  EXPECT_EQ(report.longest_gap_column, "c");
   EXPECT_NEAR(report.longest_gap_s, 1.1, 1e-9);
 }
 

@@ -1,11 +1,10 @@
-#include "core/moveit/problem.hpp"
-
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <fstream>
 
 #include "core/motion/input_error.hpp"
+#include "tests/support/moveit_problem.hpp"
 
 namespace morphe::moveit {
 namespace {
@@ -35,7 +34,7 @@ TEST(MoveItProblem, AllShippedProblemsAreRead) {
       EXPECT_EQ(problem.goals[0].lower, problem.goals[0].upper);
       EXPECT_TRUE(problem.start.allFinite());
       // The scenes' matrices say what the SRDF says.
-      EXPECT_EQ(problem.robot.allowed_pairs, robot.table.allowed_pairs);
+      EXPECT_EQ(problem.robot.allowed_collision_pairs, robot.table.allowed_collision_pairs);
     }
   }
   EXPECT_EQ(problems, 70u);
@@ -161,8 +160,9 @@ TEST_F(MoveItText, AllowedMatrixAddsPairsOfLinksOnly) {
       "  entry_values:\n  - [false, true, false]\n  - [true, false, true]\n"
       "  - {enabled: [false, true, false]}\n";
   const PlanningProblem problem = read(scene, kGoal);
-  const std::size_t before = robot_.table.allowed_pairs.size();
-  EXPECT_EQ(problem.robot.allowed_pairs.size(), before + 1 * 5);  // spheres of link0, link7
+  const std::size_t before = robot_.table.allowed_collision_pairs.size();
+  EXPECT_EQ(problem.robot.allowed_collision_pairs.size(),
+            before + 1 * 5);  // spheres of link0, link7
   EXPECT_THAT(problem.notes, testing::Contains(HasSubstr("box and panda_link7")));
 }
 
@@ -181,17 +181,17 @@ TEST_F(MoveItText, WrongFilesAreNamedWithTheirPlace) {
   const std::string cone = object_error("{id: a, primitives: [{type: cone, dimensions: [1, 2]}]}");
   EXPECT_THAT(cone, HasSubstr("scene.yaml:3: "));
   EXPECT_THAT(cone, HasSubstr("primitives[0].type: must be box, sphere or cylinder, not 'cone'"));
-  EXPECT_THAT(object_error("{id: a}"), HasSubstr("has no primitives and no meshes"));
+  EXPECT_THAT(object_error("{id: a}"), HasSubstr("has neither primitives nor meshes"));
   EXPECT_THAT(object_error("{id: a, primitives: [{type: box, dimensions: [1, 2]}]}"),
               HasSubstr("dimensions: must have 3 numbers, not 2"));
   EXPECT_THAT(object_error("{id: a, primitives: [{type: sphere, dimensions: [0]}]}"),
               HasSubstr("must be positive"));
   EXPECT_THAT(object_error("{id: a, primitives: [{type: sphere, dimensions: [1]}, {type: sphere, "
                            "dimensions: [1]}], primitive_poses: []}"),
-              HasSubstr("2 primitives, but 0 primitive_poses"));
+              HasSubstr("2 primitives but 0 primitive_poses"));
   EXPECT_THAT(object_error("{id: a, header: {frame_id: nowhere}, primitives: []}"),
               HasSubstr("there is no fixed frame 'nowhere'"));
-  EXPECT_THAT(object_error(kBox + "\n    - " + kBox), HasSubstr("'box' exists already"));
+  EXPECT_THAT(object_error(kBox + "\n    - " + kBox), HasSubstr("'box' already exists"));
   EXPECT_THAT(object_error("{id: a, planes: [{coef: [0, 0, 1, 0]}]}"), HasSubstr("planes"));
   EXPECT_THAT(object_error("{id: m, meshes: [{vertices: [[0,0,0]], triangles: [[0,1,2]]}]}"),
               HasSubstr("there is no vertex 1"));
@@ -202,7 +202,7 @@ TEST_F(MoveItText, WrongFilesAreNamedWithTheirPlace) {
                     "[4]}}\n" +
                         kGoal),
               HasSubstr("request.yaml:1: start_state: joint 'panda_joint1' starts at 4, outside"));
-  EXPECT_THAT(error(empty + kState, "goal_constraints: []"), HasSubstr("holds no goal"));
+  EXPECT_THAT(error(empty + kState, "goal_constraints: []"), HasSubstr("has no goals"));
   EXPECT_THAT(error(empty + kState,
                     "goal_constraints: [{joint_constraints: [{joint_name: x, "
                     "position: 0}]}]"),

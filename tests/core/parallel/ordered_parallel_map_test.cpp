@@ -1,5 +1,6 @@
 #include "core/parallel/ordered_parallel_map.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +10,9 @@
 
 namespace morphe::parallel {
 namespace {
+
+using testing::StrEq;
+using testing::ThrowsMessage;
 
 /// Items 1 … count, each squared by as many tasks as it counts; how they were written.
 std::vector<int> squares(int count, int jobs) {
@@ -37,11 +41,13 @@ TEST(OrderedMap, WritesInOrderWhateverTheTasksInside) {
 }
 
 TEST(OrderedMap, AnExceptionOfATaskIsThrownWhereItWasAskedFor) {
-  EXPECT_THROW(for_each_index(8,
-                              [](std::size_t k) {
-                                if (k == 5) throw std::runtime_error("five");
-                              }),
-               std::runtime_error);
+  EXPECT_THAT(
+      [] {
+        for_each_index(8, [](std::size_t k) {
+          if (k == 5) throw std::runtime_error("five");
+        });
+      },
+      ThrowsMessage<std::runtime_error>(StrEq("five")));
   for_each_index(0, [](std::size_t) { FAIL(); });
 }
 
@@ -72,7 +78,7 @@ int left_behind(Where where, int jobs) {
     return std::make_unique<Counted>(alive);
   };
   map.write = [&](const Counted&) { called(Where::write); };
-  EXPECT_THROW(run(map, jobs), std::runtime_error);
+  EXPECT_THAT([&] { run(map, jobs); }, ThrowsMessage<std::runtime_error>(StrEq("thirty")));
   return alive;
 }
 

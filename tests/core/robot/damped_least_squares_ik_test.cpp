@@ -13,10 +13,10 @@ class DrawTips : public testing::Test {
  protected:
   DrawTips() : robot(load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table) {}
 
-  Vec3 tip(const JointVector& q, std::size_t i, double pad_share = 0) {
+  Vec3 tip(const JointVector& q, std::size_t i, double tip_to_pad_share = 0) {
     std::vector<Pose> poses;
     forward_kinematics(robot, q, poses);
-    return tracked_point(robot, poses, i, pad_share);
+    return tracked_point(robot, poses, i, tip_to_pad_share);
   }
 
   Robot robot;

@@ -30,7 +30,7 @@ RobotModel branching() {
   other.frame = 5;
   other.finger = -1;  // no finger's
   robot.tips = {other, index};
-  robot.centres = {{1, "arm"}, {3, "index"}, {4, "index"}, {5, "beside"}, {2, "arm"}};
+  robot.joint_centres = {{1, "arm"}, {3, "index"}, {4, "index"}, {5, "beside"}, {2, "arm"}};
   return robot;
 }
 
@@ -73,11 +73,12 @@ TEST(Robot, TheReferenceRobot) {
   const Robot robot(shipped_robot("pa10_dlr_hit2"));
   EXPECT_THAT(robot.arm_joints, ElementsAre(0, 1, 2, 3, 4, 5, 6));
   ASSERT_EQ(robot.arm_centres.size(), 2u);  // elbow and wrist
-  for (std::size_t j = 0; j < robot.centres.size(); ++j) {
+  for (std::size_t j = 0; j < robot.joint_centres.size(); ++j) {
     const int tip = robot.tip_of_centre[j];
-    EXPECT_EQ(tip < 0, robot.centres[j].chain == "arm");
+    EXPECT_EQ(tip < 0, robot.joint_centres[j].chain == "arm");
     if (tip < 0) continue;
-    EXPECT_EQ(robot.tips[static_cast<std::size_t>(tip)].name, robot.centres[j].chain + "_tip");
+    EXPECT_EQ(robot.tips[static_cast<std::size_t>(tip)].name,
+              robot.joint_centres[j].chain + "_tip");
   }
 }
 

@@ -23,7 +23,7 @@ inline RobotModel sliding_robot() {
     frame.joint = joint;
     frame.ratio = ratio;
     frame.offset = offset;
-    frame.slides = slides;
+    frame.prismatic = slides;
     robot.frames.push_back(frame);
   };
   add({0, 0, 1}, 0, 1, 0, false);

@@ -24,8 +24,8 @@ TEST(Sliding, FramesMoveAlongTheirAxes) {
       const RobotModel::Frame& frame = kRobot.frames[f];
       const double value = frame.joint < 0 ? 0 : frame.ratio * q[frame.joint] + frame.offset;
       expected = expected * frame.transform;
-      if (frame.slides) expected = expected * Eigen::Translation3d(value * frame.axis);
-      if (!frame.slides) expected = expected * Eigen::AngleAxisd(value, frame.axis);
+      if (frame.prismatic) expected = expected * Eigen::Translation3d(value * frame.axis);
+      if (!frame.prismatic) expected = expected * Eigen::AngleAxisd(value, frame.axis);
       EXPECT_LT((frames[f].matrix() - expected.matrix()).cwiseAbs().maxCoeff(), 1e-15);
     }
   }

@@ -29,7 +29,7 @@ class Minimise : public testing::TestWithParam<const char*> {};
 TEST_P(Minimise, FindsTheMinimumInsideTheBounds) {
   MinimiseOptions options;
   options.algorithm = GetParam();
-  options.evaluations = 2000;
+  options.max_evaluations = 2000;
   const BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2),
                                rosenbrock, rosenbrock_model};
   const Minimum found = minimise(problem, (JointVector(2) << -1.2, 1).finished(), options);
@@ -41,7 +41,7 @@ TEST_P(Minimise, StopsOnTheBoundThatCutsTheMinimumOff) {
   // With x0 <= 0.5 the best is x0 = 0.5, x1 = 0.25, F = 0.25.
   MinimiseOptions options;
   options.algorithm = GetParam();
-  options.evaluations = 2000;
+  options.max_evaluations = 2000;
   BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2), rosenbrock,
                          rosenbrock_model};
   problem.upper[0] = 0.5;
@@ -53,7 +53,7 @@ TEST_P(Minimise, StopsOnTheBoundThatCutsTheMinimumOff) {
 TEST_P(Minimise, ReturnsTheBestPointWhenCutShort) {
   MinimiseOptions options;
   options.algorithm = GetParam();
-  options.evaluations = 7;
+  options.max_evaluations = 7;
   const BoundedProblem problem{JointVector::Constant(2, -2), JointVector::Constant(2, 2),
                                rosenbrock, rosenbrock_model};
   const JointVector start = (JointVector(2) << -1.2, 1).finished();
@@ -63,7 +63,7 @@ TEST_P(Minimise, ReturnsTheBestPointWhenCutShort) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, Minimise,
-                         testing::Values("structured", "tnewton", "slsqp", "lbfgs"));
+                         testing::Values("trust_region", "tnewton", "slsqp", "lbfgs"));
 
 TEST(MinimiseOptions, RefusesAnUnknownAlgorithm) {
   MinimiseOptions options;

@@ -120,7 +120,8 @@ TEST(MovementCorrection, AStepAlongACurvedValleyReturnsToItsFloor) {
 }
 
 TEST(MovementCorrection, AWholeSearchFollowsACurvedValleyInFewSteps) {
-  const MovementMinimum found = minimise_movement(curved_valley(), row(-1, 1), {.iterations = 25});
+  const MovementMinimum found =
+      minimise_movement(curved_valley(), row(-1, 1), {.max_iterations = 25});
   EXPECT_LT(found.value, 1e-4);
 }
 

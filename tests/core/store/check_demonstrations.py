@@ -7,7 +7,7 @@ import numpy as np
 from contract import attributes, shapes, text
 
 with h5py.File(sys.argv[1]) as file:
-    assert text(file.attrs["format"]) == "morphe-demonstrations" and file.attrs["version"] == 1
+    assert text(file.attrs["format"]) == "morphe-demonstrations" and file.attrs["version"] == 2
     assert list(file["demonstrations"]) == ["zz", "aa"]  # the order of creation
     demo = file["demonstrations/zz"]
     attributes(demo, ["subject", "task", "hand", "source", "licence", "upper_arm", "forearm",

@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <utility>
 #include <vector>
 
 #include "core/store/demonstration_file.hpp"
+#include "core/store/hdf5_file.hpp"
 #include "core/store/plan_file.hpp"
 #include "sample_data.hpp"
 
@@ -60,43 +62,44 @@ TEST(DamagedFiles, EachIsRefusedWithItsPlace) {
   ASSERT_EQ(run_python("damage.py", file.string() + " " + folder.string()), 0);
   const std::string plan = "/plans/zz/000/";
   const std::vector<std::pair<std::string, std::string>> expected{
-      {"version", "/: @version is 2; this program reads up to 1"},
+      {"version", "/: @version is 3; this program reads only version 2"},
+      {"older_version", "/: @version is 1; this program reads only version 2"},
       {"format", "/: is 'morphe-demonstrations', not 'morphe-plans'"},
-      {"no_format", "/: @format is missing: not morphe-plans"},
-      {"version_text", "/@version: is missing or not one integer"},
+      {"no_format", "/: @format is missing; must be morphe-plans"},
+      {"version_text", "/@version: is missing or not a single integer"},
       {"no_robot", "/robot: is missing"},
-      {"robot_parent", "/robot/frames/parent: 1 is not in [-1, 1)"},
-      {"robot_joint", "/robot/frames/joint: 3 is not in [-1, 3)"},
+      {"robot_parent", "/robot/frames/parent: 1 is outside [-1, 1)"},
+      {"robot_joint", "/robot/frames/joint: 3 is outside [-1, 3)"},
       {"robot_columns", "/robot/frames/ratio: has 3 rows, not 4"},
       {"robot_limit", "/robot/jerk: has 2 rows, not 3"},
-      {"robot_tip", "/robot/tips/frame: -1 is not in [0, 4)"},
-      {"robot_pair", "/robot/allowed_pairs: 3 is not in [0, 3)"},
-      {"robot_palm", "/robot/@palm_frame: 4 is not in [0, 4)"},
-      {"movement_name", "/plans/zz/first: is not the number of a movement, 000…"},
+      {"robot_tip", "/robot/tips/frame: -1 is outside [0, 4)"},
+      {"robot_pair", "/robot/allowed_collision_pairs: 3 is outside [0, 3)"},
+      {"robot_palm", "/robot/@palm_frame: 4 is outside [0, 4)"},
+      {"movement_name", "/plans/zz/first: is not the number of a movement (000, 001, …)"},
       {"movement_dataset", "/plans/zz/007: is not a readable group"},
       {"missing", plan + "goals/tip_position: is missing"},
       {"missing_group", plan + "scene: is missing"},
-      {"missing_attribute", plan + "@margin: is missing or not one number"},
-      {"missing_trajectory", plan + "trajectory: has no sample, but the plan is executable"},
-      {"extra_trajectory", "/plans/zz/001/trajectory: is there, but the plan is infeasible"},
-      {"rank", plan + "goals/tip_position: has the shape [4,6], not [*,*,3]"},
+      {"missing_attribute", plan + "@required_clearance: is missing or not a single number"},
+      {"missing_trajectory", plan + "trajectory: has no samples, but the plan is executable"},
+      {"extra_trajectory", "/plans/zz/001/trajectory: exists, but the plan is infeasible"},
+      {"rank", plan + "goals/tip_position: has shape [4,6], must be [*,*,3]"},
       {"rows", plan + "trajectory/velocity: has 5 rows, not 6"},
       {"columns", plan + "path/position: has 4 columns, not 3"},
-      {"type", plan + "goals/time: does not hold numbers"},
-      {"fraction", plan + "path/origin: does not hold integers"},
+      {"type", plan + "goals/time: must contain numbers"},
+      {"fraction", plan + "path/origin: must contain integers"},
       {"status", "/plans/zz/000: @status is 'infeasible' with the @reason ''"},
-      {"shape", plan + "scene/cup: @shape is 'cube', which is not known"},
+      {"shape", plan + "scene/cup: @shape has the unknown value 'cube'"},
       {"size", plan + "scene/cup/@size: has 2 numbers, not 3"},
-      {"no_sample", plan + "scene/cup/time: has no sample"},
-      {"triangle", plan + "scene/apple/triangles: 4 is not in [0, 4)"},
-      {"phase", plan + "trajectory/phase: 7 is not in [0, 7)"},
-      {"origin", plan + "path/origin: 3 is not in [0, 3)"},
-      {"mapped_status", plan + "mapped/status: 4 is not in [0, 4)"},
-      {"grasp_sample", plan + "grasp/@sample: 6 is not in [0, 6)"},
-      {"findings", plan + "findings/depth: has 3 rows, not 2"},
-      {"offset", plan + "goals: @common_base_offset does not hold 3 numbers"},
-      {"claim_more", plan + "goals/time: claims more values than the file holds"},
-      {"elsewhere", plan + "goals/time: keeps its values in another file"},
+      {"no_sample", plan + "scene/cup/time: has no samples"},
+      {"triangle", plan + "scene/apple/triangles: 4 is outside [0, 4)"},
+      {"phase", plan + "trajectory/phase: 7 is outside [0, 7)"},
+      {"origin", plan + "path/origin: 3 is outside [0, 3)"},
+      {"mapped_status", plan + "mapped/status: 4 is outside [0, 4)"},
+      {"grasp_sample", plan + "grasp/@sample: 6 is outside [0, 6)"},
+      {"findings", plan + "findings/excess: has 3 rows, not 2"},
+      {"offset", plan + "goals: @common_base_offset must have 3 numbers"},
+      {"claim_more", plan + "goals/time: has more values than the file can contain"},
+      {"elsewhere", plan + "goals/time: stores its values in another file"},
       {"dangling", plan + "goals/time: is not a readable dataset"},
   };
   for (const auto& [name, message] : expected) {
@@ -106,10 +109,21 @@ TEST(DamagedFiles, EachIsRefusedWithItsPlace) {
   EXPECT_THAT(complaint(folder / "input_group_loop.h5"), HasSubstr("/inputs/again/"));
 }
 
-TEST(DamagedFiles, DemonstrationsOfAHigherVersionOrAnotherFormat) {
-  const auto file = sample_plans();
-  EXPECT_EQ(input_error([&] { DemonstrationReader reader(file); }),
-            file.string() + ":/: is 'morphe-plans', not 'morphe-demonstrations'");
+TEST(DamagedFiles, DemonstrationsOfAnotherVersionOrFormat) {
+  const auto plans = sample_plans();
+  EXPECT_EQ(input_error([&] { DemonstrationReader reader(plans); }),
+            plans.string() + ":/: is 'morphe-plans', not 'morphe-demonstrations'");
+  for (const int version : {1, 3}) {
+    const auto file = fresh_file("demonstrations.h5");
+    {
+      Hdf5File out = Hdf5File::create(file);
+      write_format(out.root(), "morphe-demonstrations", version);
+      out.close();
+    }
+    EXPECT_EQ(input_error([&] { DemonstrationReader reader(file); }),
+              fmt::format("{}:/: @version is {}; this program reads only version 2", file.string(),
+                          version));
+  }
 }
 
 TEST(DamagedFiles, AChangedNumberFailsItsChecksum) {

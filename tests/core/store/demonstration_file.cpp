@@ -139,9 +139,9 @@ TEST(DemonstrationFile, RefusesNamesAndArraysThatDoNotFit) {
     return input_error([&] { writer.add(demo); });
   };
   EXPECT_EQ(add("a"), "");
-  EXPECT_EQ(add("a"), file.string() + ":/demonstrations/a: is there already");
-  EXPECT_THAT(add("a/b"), HasSubstr("'a/b' cannot be a name"));
-  EXPECT_THAT(add(""), HasSubstr("'' cannot be a name"));
+  EXPECT_EQ(add("a"), file.string() + ":/demonstrations/a: already exists");
+  EXPECT_THAT(add("a/b"), HasSubstr("'a/b' is not a valid name"));
+  EXPECT_THAT(add(""), HasSubstr("'' is not a valid name"));
   demo.streams.markers = {{"m"}, {0, 1}, Array2D<Vec3>(3, 1, Vec3::Zero())};
   EXPECT_EQ(add("c"), file.string() + ":/demonstrations/c/markers/position: has 3 rows, not 2");
 }

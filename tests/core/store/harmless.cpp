@@ -45,7 +45,7 @@ TEST(Harmless, AGroupThatHoldsItself) {
 TEST(Hdf5File, APipeIsNoFile) {
   const auto pipe = fresh_file("pipe.h5");
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(input_error([&] { Hdf5File::open(pipe); }), pipe.string() + ": is no file");
+  EXPECT_EQ(input_error([&] { Hdf5File::open(pipe); }), pipe.string() + ": is not a regular file");
 }
 
 }  // namespace

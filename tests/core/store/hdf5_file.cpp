@@ -38,9 +38,9 @@ TEST(Hdf5File, ArraysOfAnyRankAndType) {
   EXPECT_EQ(root.read_text("text"), "a\nb");
   EXPECT_THAT(root.children(), ElementsAre("four", "g", "none", "words", "no words", "text"));
   EXPECT_EQ(input_error([&] { root.open("g").read<double>("two", {3}); }),
-            file.string() + ":/g/two: has the shape [1,2], not [3]");
+            file.string() + ":/g/two: has shape [1,2], must be [3]");
   EXPECT_THAT(input_error([&] { root.read<std::int32_t>("four", {}); }),
-              HasSubstr("/four: does not hold integers"));
+              HasSubstr("/four: must contain integers"));
 }
 
 TEST(Hdf5File, LongArraysGoIntoSeveralChunks) {
@@ -97,9 +97,9 @@ TEST(Hdf5File, Attributes) {
   root.get("no words", words);
   EXPECT_TRUE(words.empty());
   EXPECT_EQ(input_error([&] { root.get("other", number); }),
-            file.string() + ":/@other: is missing or not one number");
-  EXPECT_THAT(input_error([&] { root.get("numbers", number); }), HasSubstr("not one number"));
-  EXPECT_THAT(input_error([&] { root.get("text", number); }), HasSubstr("not one number"));
+            file.string() + ":/@other: is missing or not a single number");
+  EXPECT_THAT(input_error([&] { root.get("numbers", number); }), HasSubstr("not a single number"));
+  EXPECT_THAT(input_error([&] { root.get("text", number); }), HasSubstr("not a single number"));
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ void expect_same(const RobotModel& a, const RobotModel& b) {
   EXPECT_SAME(jerk);
   EXPECT_SAME(shoulder_frame);
   EXPECT_SAME(palm_frame);
-  EXPECT_EQ(a.allowed_pairs, b.allowed_pairs);
+  EXPECT_EQ(a.allowed_collision_pairs, b.allowed_collision_pairs);
   ASSERT_EQ(a.frames.size(), b.frames.size());
   for (std::size_t i = 0; i < a.frames.size(); ++i) {
     EXPECT_SAME(frames[i].name);
@@ -31,7 +31,7 @@ void expect_same(const RobotModel& a, const RobotModel& b) {
     EXPECT_SAME(frames[i].joint);
     EXPECT_SAME(frames[i].ratio);
     EXPECT_SAME(frames[i].offset);
-    EXPECT_SAME(frames[i].slides);
+    EXPECT_SAME(frames[i].prismatic);
   }
   ASSERT_EQ(a.coupled_limits.size(), b.coupled_limits.size());
   for (std::size_t i = 0; i < a.coupled_limits.size(); ++i) {
@@ -45,8 +45,8 @@ void expect_same(const RobotModel& a, const RobotModel& b) {
   ASSERT_EQ(a.braking_curves.size(), b.braking_curves.size());
   for (std::size_t i = 0; i < a.braking_curves.size(); ++i) {
     EXPECT_SAME(braking_curves[i].joint);
-    EXPECT_SAME(braking_curves[i].slope);
-    EXPECT_SAME(braking_curves[i].drop);
+    EXPECT_SAME(braking_curves[i].twice_deceleration);
+    EXPECT_SAME(braking_curves[i].velocity_offset);
     EXPECT_SAME(braking_curves[i].lower_end);
     EXPECT_SAME(braking_curves[i].upper_end);
   }
@@ -57,12 +57,12 @@ void expect_same(const RobotModel& a, const RobotModel& b) {
     EXPECT_SAME(tips[i].frame);
     EXPECT_SAME(tips[i].transform);
     EXPECT_SAME(tips[i].finger);
-    EXPECT_SAME(tips[i].along);
+    EXPECT_SAME(tips[i].finger_curve_share);
   }
-  ASSERT_EQ(a.centres.size(), b.centres.size());
-  for (std::size_t i = 0; i < a.centres.size(); ++i) {
-    EXPECT_SAME(centres[i].frame);
-    EXPECT_SAME(centres[i].chain);
+  ASSERT_EQ(a.joint_centres.size(), b.joint_centres.size());
+  for (std::size_t i = 0; i < a.joint_centres.size(); ++i) {
+    EXPECT_SAME(joint_centres[i].frame);
+    EXPECT_SAME(joint_centres[i].chain);
   }
   ASSERT_EQ(a.capsules.size(), b.capsules.size());
   for (std::size_t i = 0; i < a.capsules.size(); ++i) {
@@ -101,19 +101,19 @@ void expect_same(const Trajectory& a, const Trajectory& b) {
 }
 
 void expect_same(const Certificate& a, const Certificate& b) {
-  EXPECT_SAME(position_margin);
+  EXPECT_SAME(joint_limit_margin);
   EXPECT_SAME(velocity_ratio);
   EXPECT_SAME(acceleration_ratio);
   EXPECT_SAME(jerk_ratio);
   EXPECT_SAME(clearance);
-  EXPECT_SAME(position_error_max);
-  EXPECT_SAME(position_error_mean);
-  EXPECT_SAME(position_error_grasp);
-  EXPECT_SAME(orientation_error_max);
+  EXPECT_SAME(tip_error_max);
+  EXPECT_SAME(tip_error_mean);
+  EXPECT_SAME(tip_error_grasp);
+  EXPECT_SAME(tip_orientation_error_max);
   EXPECT_SAME(upper_arm_error_mean);
   EXPECT_SAME(upper_arm_error_max);
   EXPECT_SAME(natural_posture_error);
-  EXPECT_SAME(tempo);
+  EXPECT_SAME(duration_ratio);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
   EXPECT_SAME(sparc_robot);
@@ -127,9 +127,9 @@ void expect_same(const Finding& a, const Finding& b) {
   EXPECT_SAME(begin_s);
   EXPECT_SAME(end_s);
   EXPECT_SAME(cause);
-  EXPECT_SAME(first);
-  EXPECT_SAME(second);
-  EXPECT_SAME(depth);
+  EXPECT_SAME(subject);
+  EXPECT_SAME(other_body);
+  EXPECT_SAME(excess);
 }
 
 void expect_same(const RepairStep& a, const RepairStep& b) {
@@ -137,13 +137,13 @@ void expect_same(const RepairStep& a, const RepairStep& b) {
   EXPECT_SAME(name);
   EXPECT_SAME(begin_s);
   EXPECT_SAME(end_s);
-  EXPECT_SAME(change);
-  EXPECT_SAME(findings);
-  EXPECT_SAME(collisions);
-  EXPECT_SAME(others);
-  EXPECT_SAME(worst);
-  EXPECT_SAME(kept);
-  EXPECT_SAME(ended);
+  EXPECT_SAME(max_joint_change);
+  EXPECT_SAME(finding_count);
+  EXPECT_SAME(collision_depth_sum);
+  EXPECT_SAME(other_depth_sum);
+  EXPECT_SAME(worst_finding);
+  EXPECT_SAME(accepted);
+  EXPECT_SAME(stop_reason);
 }
 
 template <class Row>
@@ -170,28 +170,28 @@ void expect_same(const Plan& a, const Plan& b) {
   }
   EXPECT_SAME(reason);
   EXPECT_SAME(detail);
-  EXPECT_SAME(tolerances.margin);
-  EXPECT_SAME(tolerances.contact_depth);
-  EXPECT_SAME(tolerances.link_depth);
-  EXPECT_SAME(tolerances.tracking_grasp);
-  EXPECT_SAME(tolerances.tracking);
-  EXPECT_SAME(tolerances.out_of_reach_share);
-  EXPECT_SAME(tolerances.farthest_tip);
+  EXPECT_SAME(tolerances.required_clearance);
+  EXPECT_SAME(tolerances.max_penetration);
+  EXPECT_SAME(tolerances.max_link_penetration);
+  EXPECT_SAME(tolerances.tracking_tolerance_grasp);
+  EXPECT_SAME(tolerances.tracking_tolerance);
+  EXPECT_SAME(tolerances.max_unreachable_share);
+  EXPECT_SAME(tolerances.max_tip_error);
   EXPECT_SAME(approximate);
   expect_same(a.goals, b.goals);
   store::expect_same(a.scene.objects, b.scene.objects);
-  EXPECT_SAME(world.base_from_world);
-  EXPECT_SAME(world.base_from_table);
-  EXPECT_SAME(world.base_from_target);
-  EXPECT_SAME(world.shoulder);
+  EXPECT_SAME(reference_frames.base_from_world);
+  EXPECT_SAME(reference_frames.base_from_table);
+  EXPECT_SAME(reference_frames.base_from_target);
+  EXPECT_SAME(reference_frames.shoulder);
   EXPECT_SAME(mapped.position);
-  EXPECT_SAME(mapped.position_error);
-  EXPECT_SAME(mapped.orientation_error);
+  EXPECT_SAME(mapped.tip_error);
+  EXPECT_SAME(mapped.tip_orientation_error);
   EXPECT_SAME(mapped.objective);
   EXPECT_SAME(mapped.humanlikeness);
   EXPECT_SAME(mapped.status);
   expect_same(a.findings, b.findings);
-  expect_same(a.remaining, b.remaining);
+  expect_same(a.remaining_findings, b.remaining_findings);
   expect_same(a.repair, b.repair);
   EXPECT_SAME(path.position);
   EXPECT_SAME(path.origin);
@@ -201,36 +201,36 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(grasp.base_from_object);
   EXPECT_SAME(grasp.object_from_palm);
   EXPECT_SAME(grasp.tips_in_object);
-  EXPECT_SAME(grasp.hand_posture);
+  EXPECT_SAME(grasp.grasp_posture);
   EXPECT_SAME(grasp.pregrasp_posture);
   ASSERT_EQ(a.grasp.contacts.size(), b.grasp.contacts.size());
   for (std::size_t k = 0; k < a.grasp.contacts.size(); ++k) {
     EXPECT_SAME(grasp.contacts[k].tip);
     EXPECT_SAME(grasp.contacts[k].link);
     EXPECT_SAME(grasp.contacts[k].origin);
-    EXPECT_SAME(grasp.contacts[k].asked);
+    EXPECT_SAME(grasp.contacts[k].desired_point);
     EXPECT_SAME(grasp.contacts[k].point);
     EXPECT_SAME(grasp.contacts[k].normal);
-    EXPECT_SAME(grasp.contacts[k].gap);
+    EXPECT_SAME(grasp.contacts[k].signed_distance);
     EXPECT_SAME(grasp.contacts[k].pad_angle);
     EXPECT_SAME(grasp.contacts[k].confidence);
-    EXPECT_SAME(grasp.contacts[k].force);
-    EXPECT_SAME(grasp.contacts[k].friction);
+    EXPECT_SAME(grasp.contacts[k].normal_force);
+    EXPECT_SAME(grasp.contacts[k].friction_force);
   }
-  EXPECT_SAME(grasp.quality.friction);
-  EXPECT_SAME(grasp.quality.torsion);
+  EXPECT_SAME(grasp.quality.friction_coefficient);
+  EXPECT_SAME(grasp.quality.torsional_friction);
   EXPECT_SAME(grasp.quality.mass);
-  EXPECT_SAME(grasp.quality.centre);
-  EXPECT_SAME(grasp.quality.torque_scale);
+  EXPECT_SAME(grasp.quality.centre_of_mass);
+  EXPECT_SAME(grasp.quality.characteristic_length);
   EXPECT_SAME(grasp.quality.epsilon_lower);
   EXPECT_SAME(grasp.quality.epsilon_upper);
-  EXPECT_SAME(grasp.quality.needed_worst);
-  EXPECT_SAME(grasp.quality.needed_down);
-  EXPECT_SAME(grasp.quality.given);
-  EXPECT_SAME(grasp.squeeze_torque);
-  EXPECT_SAME(grasp.squeeze_posture);
-  EXPECT_SAME(goals.pad_share);
-  EXPECT_SAME(goals.closed);
+  EXPECT_SAME(grasp.quality.required_force_worst);
+  EXPECT_SAME(grasp.quality.required_force_gravity);
+  EXPECT_SAME(grasp.quality.available_force);
+  EXPECT_SAME(grasp.grasp_torque);
+  EXPECT_SAME(grasp.servo_target);
+  EXPECT_SAME(goals.tip_to_pad_share);
+  EXPECT_SAME(goals.auto_closed);
   expect_same(a.trajectory, b.trajectory);
   expect_same(a.approach, b.approach);
   expect_same(a.retreat, b.retreat);
@@ -303,9 +303,9 @@ TEST(PlanFile, RefusesToWriteWhatDoesNotFit) {
   PlanWriter writer(file, plan_header(), small_robot());
   writer.add(full_plan("a", 0));
   const auto error = [&](const Plan& plan) { return input_error([&] { writer.add(plan); }); };
-  EXPECT_EQ(error(full_plan("a", 0)), file.string() + ":/plans/a/000: is there already");
-  EXPECT_THAT(error(full_plan("a/b", 0)), HasSubstr("'a/b' cannot be a name"));
-  EXPECT_THAT(error(full_plan("", 0)), HasSubstr("'' cannot be a name"));
+  EXPECT_EQ(error(full_plan("a", 0)), file.string() + ":/plans/a/000: already exists");
+  EXPECT_THAT(error(full_plan("a/b", 0)), HasSubstr("'a/b' is not a valid name"));
+  EXPECT_THAT(error(full_plan("", 0)), HasSubstr("'' is not a valid name"));
   Plan plan = full_plan("b", 1);
   plan.goals.tip_position = Array2D<Vec3>(4, 3, Vec3::Zero());
   EXPECT_EQ(error(plan), file.string() + ":/plans/b/001/goals/tip_position: has 3 columns, not 2");
@@ -319,7 +319,7 @@ TEST(PlanFile, RefusesAbsoluteInputPaths) {
   PlanFileHeader header = plan_header();
   header.inputs = {{"/home/me/robot.yaml", ""}};
   EXPECT_THAT(input_error([&] { PlanWriter(file, header, small_robot()); }),
-              HasSubstr("'/home/me/robot.yaml' is not a relative path"));
+              HasSubstr("'/home/me/robot.yaml' is not a relative file path"));
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }
 

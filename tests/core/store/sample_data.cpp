@@ -179,11 +179,11 @@ RobotModel small_robot() {
   robot.braking_curves = {{1, 12, 0.3, -2.75, 2.5}};
   robot.unchecked_links = {"fixed", "E1"};
   robot.tips = {{"ring_tip", 3, number.pose(), 3, 0.75}, {"wrist_tip", 2, number.pose(), -1}};
-  robot.centres = {{1, "arm"}, {2, "index"}};
+  robot.joint_centres = {{1, "arm"}, {2, "index"}};
   robot.capsules = {{"base", -1, number.point(), number.point(), 0.1, false},
                     {"upper", 0, number.point(), number.point(), 0.2, false},
                     {"finger", 3, number.point(), number.point(), 0.01, true}};
-  robot.allowed_pairs = {{0, 1}, {1, 2}};
+  robot.allowed_collision_pairs = {{0, 1}, {1, 2}};
   robot.shoulder_frame = 1;
   robot.palm_frame = 2;
   return robot;
@@ -219,9 +219,9 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.tolerances = {0.002, 0.004, 0.001, 0.006, 0.03, 0.25, 0.04};
   plan.goals.time = number.many(4);
   plan.goals.tip_position = number.points(4, 2);
-  plan.goals.pad_share = Array2D<double>(4, 2, 0.25);
-  plan.goals.pad_share(2, 1) = number();
-  plan.goals.closed = {0, 1};
+  plan.goals.tip_to_pad_share = Array2D<double>(4, 2, 0.25);
+  plan.goals.tip_to_pad_share(2, 1) = number();
+  plan.goals.auto_closed = {0, 1};
   plan.goals.tip_orientation = number.rotations(4, 2);
   plan.goals.reachable = Array2D<std::uint8_t>(4, 2, 0);
   plan.goals.reachable(1, 1) = plan.goals.reachable(3, 0) = 1;
@@ -233,20 +233,20 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.goals.estimated = {"ring", "little finger"};
   plan.goals.common_base_offset = number.point();
   plan.scene.objects = objects();
-  plan.world = {number.pose(), number.pose(), number.pose(), number.point()};
+  plan.reference_frames = {number.pose(), number.pose(), number.pose(), number.point()};
   plan.mapped.position = number.rows(4, 3);
-  plan.mapped.position_error = number.rows(4, 2);
-  plan.mapped.orientation_error = number.rows(4, 2);
+  plan.mapped.tip_error = number.rows(4, 2);
+  plan.mapped.tip_orientation_error = number.rows(4, 2);
   plan.mapped.objective = number.many(4);
   plan.mapped.humanlikeness = number.rows(4, 3);
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
-  plan.findings = {{0.6, 0.7, Cause::object, "finger", "table", 0.01},
-                   {0.8, 0.9, Cause::limit, "E1", "", 0.02}};
+  plan.findings = {{0.6, 0.7, Cause::object_collision, "finger", "table", 0.01},
+                   {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02}};
   plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},
-                 {1, "attempt 1", kUnknown, kUnknown, 0, 2, 0.01, 0.02, "object: finger", false,
-                  "no way was found"}};
-  plan.remaining = {{0.65, 0.7, Cause::tracking, "index_tip", "", 0.002}};
+                 {1, "attempt 1", kUnknown, kUnknown, 0, 2, 0.01, 0.02, "object_collision: finger",
+                  false, "no detour found"}};
+  plan.remaining_findings = {{0.65, 0.7, Cause::tracking, "index_tip", "", 0.002}};
   plan.path.position = number.rows(5, 3);
   plan.path.origin = {SampleOrigin::planned, SampleOrigin::re_solved, SampleOrigin::mapped,
                       SampleOrigin::mapped, SampleOrigin::planned};
@@ -256,17 +256,17 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.grasp.base_from_object = number.pose();
   plan.grasp.object_from_palm = number.pose();
   plan.grasp.tips_in_object = number.points(2);
-  plan.grasp.hand_posture = number.vector(3);
+  plan.grasp.grasp_posture = number.vector(3);
   plan.grasp.pregrasp_posture = number.vector(3);
-  for (const ContactOrigin origin : {ContactOrigin::demonstrated, ContactOrigin::closed}) {
+  for (const ContactOrigin origin : {ContactOrigin::demonstrated, ContactOrigin::auto_closed}) {
     plan.grasp.contacts.push_back({"tip", "finger", origin, number.point(), number.point(),
                                    number.point(), number(), number(), number(), number(),
                                    number.point()});
   }
   plan.grasp.quality = {number(), number(), number(), number.point(), number(),
                         number(), number(), number(), number(),       number()};
-  plan.grasp.squeeze_torque = number.vector(3);
-  plan.grasp.squeeze_posture = number.vector(3);
+  plan.grasp.grasp_torque = number.vector(3);
+  plan.grasp.servo_target = number.vector(3);
   plan.trajectory = trajectory(number, 6);
   plan.approach = trajectory(number, 2);
   plan.retreat = trajectory(number, 3);

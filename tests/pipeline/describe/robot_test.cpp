@@ -31,7 +31,7 @@ robot::RobotDescription two_links() {
                   {"c", 1, up(0), Vec3::UnitY(), 1, 2, 0.5},
                   {"palm", 1, up(0.15), Vec3::UnitZ(), -1}};
   robot.tips = {{"end", 3, up(0.05), -1}, {"pad", 2, up(0.02), 2, 0.5}};
-  robot.centres = {{1, "arm"}};
+  robot.joint_centres = {{1, "arm"}};
   robot.capsules = {{"link", 0, {0, 0, 0}, {0, 0, 0.3}, 0.02, false}};
   robot.shoulder_frame = 0;
   robot.palm_frame = 3;
@@ -47,11 +47,11 @@ TEST(RobotReport, ReachIsThatOfTheStretchedLinks) {
 TEST(RobotReport, RemarksOnWhatIsHardlyMeant) {
   robot::RobotDescription robot = two_links();
   robot.notes = {"hand.urdf:7: a mesh"};
-  EXPECT_THAT(
-      plausibility_notes(robot),
-      ElementsAre("hand.urdf:7: a mesh", "tip pad has no centre for its finger's humanlikeness"));
+  EXPECT_THAT(plausibility_notes(robot),
+              ElementsAre("hand.urdf:7: a mesh",
+                          "tip pad has no joint centre for the humanlikeness of its finger"));
   robot.table.tips[1].frame = 0;  // the palm moves with b, this one before it
-  EXPECT_THAT(plausibility_notes(robot), testing::Contains("tip pad does not hang on palm palm"));
+  EXPECT_THAT(plausibility_notes(robot), testing::Contains("tip pad is not on the palm palm"));
   robot.notes.clear();
   robot.table.unchecked_links = {"upper", "hand"};
   robot.table.tips.pop_back();
@@ -59,8 +59,8 @@ TEST(RobotReport, RemarksOnWhatIsHardlyMeant) {
   robot.table.palm_frame = 0;
   robot.table.shoulder_frame = 1;
   EXPECT_THAT(plausibility_notes(robot),
-              ElementsAre("joint b moves no tip", "palm a does not hang on shoulder b",
-                          "no contact of upper, hand is checked: no shape is known"));
+              ElementsAre("joint b moves no tip", "palm a is not moved by the shoulder b",
+                          "collisions of upper, hand are not checked: no collision shape given"));
 }
 
 TEST(RobotReport, PrintsJointsCouplingsAndTips) {
@@ -70,7 +70,8 @@ TEST(RobotReport, PrintsJointsCouplingsAndTips) {
   EXPECT_THAT(text, HasSubstr("\na              -57.3    114.6        1        1        1\n"));
   EXPECT_THAT(text, HasSubstr("\nc           2 x b + 28.65 deg\n"));
   EXPECT_THAT(text, HasSubstr("\npad         c              0.320  50 % from index to little\n"));
-  EXPECT_THAT(text, HasSubstr("\nnote: tip pad has no centre for its finger's humanlikeness\n"));
+  EXPECT_THAT(
+      text, HasSubstr("\nnote: tip pad has no joint centre for the humanlikeness of its finger\n"));
 }
 
 /// The number behind the first `before` from `at` on; moves `at` behind it.

@@ -39,40 +39,42 @@ Plan resting_plan(double off_m, Reason reason) {
 
 std::vector<std::string> accepted_by(const Plan& plan) {
   for (const Advice& advice : advice_for(arm(), plan)) {
-    if (advice.effect == AdviceKind::accepts) return advice.settings;
+    if (advice.kind == AdviceKind::relaxes_tolerance) return advice.settings;
   }
   return {};
 }
 
 TEST(Advice, ATolerancePassesWhatIsMissedByItsOwnNumbers) {
   const Plan plan = resting_plan(0.0123, Reason::tracking);
-  EXPECT_THAT(accepted_by(plan), ElementsAre("check.tracking_grasp=0.0135"))
+  EXPECT_THAT(accepted_by(plan), ElementsAre("check.tracking_tolerance_grasp=0.0135"))
       << "12.3 mm, a twentieth and room for smoothing, to half a millimetre; 20 mm are allowed "
          "before the grasp";
   const std::vector<Advice> advice = advice_for(arm(), plan);
-  EXPECT_EQ(advice.front().effect, AdviceKind::solves) << "what may solve it comes first";
+  EXPECT_EQ(advice.front().kind, AdviceKind::may_solve) << "what may solve it comes first";
   EXPECT_THAT(text_of(advice.back()),
-              HasSubstr("is 12.3 mm from its goal at 0.50 s in the grasp, 5.0 allowed"));
-  EXPECT_THAT(accepted_by(resting_plan(0.0301, Reason::tracking)),
-              ElementsAre("check.tracking_grasp=0.0320", "check.tracking=0.0320"));
+              HasSubstr("is 12.3 mm from its goal at 0.50 s in the grasp (allowed: 5.0 mm)"));
+  EXPECT_THAT(
+      accepted_by(resting_plan(0.0301, Reason::tracking)),
+      ElementsAre("check.tracking_tolerance_grasp=0.0320", "check.tracking_tolerance=0.0320"));
 }
 
 TEST(Advice, BeyondTheFarthestTipItSaysThatThePlanIsOnlyApproximate) {
   const std::vector<Advice> advice = advice_for(arm(), resting_plan(0.08, Reason::tracking));
-  EXPECT_THAT(advice.back().sentence, HasSubstr("is called approximate"));
+  EXPECT_THAT(advice.back().sentence, HasSubstr("give the status approximate"));
 }
 
 TEST(Advice, AMarginOrDepthPassesAContactUnlessBodiesOverlap) {
   Plan plan = resting_plan(0, Reason::no_path);
   plan.scene.objects = {certify::ball({0, 0.7, 0}, 0.1)};
-  plan.remaining = {{0.2, 0.4, Cause::object, "forearm", "ball", 0.0004}};
-  EXPECT_THAT(accepted_by(plan), ElementsAre("check.margin=0.0005")) << "0.6 mm apart, 1 asked for";
-  plan.remaining[0].depth = 0.0214;
+  plan.remaining_findings = {{0.2, 0.4, Cause::object_collision, "forearm", "ball", 0.0004}};
+  EXPECT_THAT(accepted_by(plan), ElementsAre("check.required_clearance=0.0005"))
+      << "0.6 mm apart, 1 asked for";
+  plan.remaining_findings[0].excess = 0.0214;
   EXPECT_TRUE(accepted_by(plan).empty());
   EXPECT_THAT(
       advice_for(arm(), plan),
       Contains(testing::Field(&Advice::sentence,
-                              HasSubstr("forearm and ball overlap by 20.4 mm at 0.20-0.40 s"))));
+                              HasSubstr("forearm and ball overlap by 20.4 mm, 0.20–0.40 s"))));
 }
 
 TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
@@ -86,7 +88,7 @@ TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
       EXPECT_FALSE(advice.empty()) << name_of(reason);
       for (const Advice& one : advice) {
         EXPECT_FALSE(one.sentence.empty());
-        EXPECT_EQ(one.settings.empty(), one.effect == AdviceKind::changes);
+        EXPECT_EQ(one.settings.empty(), one.kind == AdviceKind::changes_input);
       }
     }
   }

@@ -102,7 +102,7 @@ TEST(PlaceOptions, SayWhatIsWrong) {
   options.max_tilt_rad = 2;
   EXPECT_NE(validation_error(options), "");
   options = {};
-  options.planned = options.refined + 1;
+  options.plan = options.refine + 1;
   EXPECT_NE(validation_error(options), "");
 }
 

@@ -64,9 +64,9 @@ TEST_F(Approach, LeadsFromHomeToTheFirstSampleAndBackWithinItsShareOfTheLimits) 
     EXPECT_LT(way->velocity.row(0).norm(), 1e-12);
     EXPECT_LT(way->velocity.bottomRows(1).norm(), 1e-12);
     const math::LimitReport use = math::limit_report(of.robot, *way);
-    EXPECT_LE(use.velocity.ratio, asked.limit_share * (1 + 1e-6));
-    EXPECT_LE(use.acceleration.ratio, asked.limit_share * (1 + 1e-6));
-    EXPECT_LE(use.jerk.ratio, asked.limit_share * (1 + 1e-6));
+    EXPECT_LE(use.velocity.ratio, asked.limit_scaling * (1 + 1e-6));
+    EXPECT_LE(use.acceleration.ratio, asked.limit_scaling * (1 + 1e-6));
+    EXPECT_LE(use.jerk.ratio, asked.limit_scaling * (1 + 1e-6));
   }
 }
 
@@ -92,8 +92,8 @@ TEST_F(Approach, NoneWhereHomeIsInAnObstacle) {
 TEST(ApproachOptions, SaysWhatIsWrong) {
   ApproachOptions options;
   EXPECT_EQ(validation_error(options), "");
-  options.limit_share = 1.5;
-  EXPECT_EQ(validation_error(options), "limit_share must be above 0 and at most 1");
+  options.limit_scaling = 1.5;
+  EXPECT_EQ(validation_error(options), "limit_scaling must be above 0 and at most 1");
 }
 
 }  // namespace

@@ -29,68 +29,68 @@ Plan planned_drink(const std::vector<std::string>& settings) {
 TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
   const Plan plan = planned_drink({"grasp.close_fingers=true"});
   ASSERT_TRUE(plan.executable()) << plan.detail;
-  EXPECT_EQ(plan.tolerances.contact_depth, 0.001);
-  EXPECT_EQ(plan.tolerances.link_depth, 0.0);
+  EXPECT_EQ(plan.tolerances.max_penetration, 0.001);
+  EXPECT_EQ(plan.tolerances.max_link_penetration, 0.0);
   ASSERT_GE(plan.grasp.contacts.size(), 3U);
   const SceneObject& cup = *find_object(plan.scene.objects, plan.movement.target);
   for (const PadContact& contact : plan.grasp.contacts) {
-    EXPECT_GT(contact.gap, -0.001) << contact.tip;
-    EXPECT_LT(contact.gap, 0.0005) << contact.tip;
-    EXPECT_LT((contact.point - contact.asked).norm(), 0.005) << contact.tip;
+    EXPECT_GT(contact.signed_distance, -0.001) << contact.tip;
+    EXPECT_LT(contact.signed_distance, 0.0005) << contact.tip;
+    EXPECT_LT((contact.point - contact.desired_point).norm(), 0.005) << contact.tip;
     EXPECT_NEAR(contact.point.head<2>().norm(), cup.size[0], 1e-6) << "on the cup's side";
     EXPECT_LT((contact.normal + contact.point.cwiseProduct(Vec3(1, 1, 0)).normalized()).norm(),
               1e-6)
         << "inwards";
   }
   EXPECT_THAT(plan.grasp.contacts[2].tip, AnyOf("middle_tip", "ring_tip")) << "seen by no marker";
-  EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::closed);
+  EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::auto_closed);
   EXPECT_THAT(plan.detail, HasSubstr("little_tip stays open"));
 }
 
 TEST(Contacts, TheSqueezeBalancesInsideTheConesAndTorquesAreItsForces) {
-  const Plan plan = planned_drink({"grasp.friction=0.7"});
+  const Plan plan = planned_drink({"grasp.friction_coefficient=0.7"});
   ASSERT_TRUE(plan.executable()) << plan.detail;
   const GraspQuality& quality = plan.grasp.quality;
-  EXPECT_EQ(quality.friction, 0.7);
+  EXPECT_EQ(quality.friction_coefficient, 0.7);
   EXPECT_LE(quality.epsilon_lower, quality.epsilon_upper);
   EXPECT_GT(quality.epsilon_lower, 0) << "three soft fingers";
-  EXPECT_GT(quality.needed_worst, quality.needed_down);
+  EXPECT_GT(quality.required_force_worst, quality.required_force_gravity);
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   double largest = 0;
   for (const PadContact& contact : plan.grasp.contacts) {
-    const Vec3 whole = contact.force * contact.normal + contact.friction;
+    const Vec3 whole = contact.normal_force * contact.normal + contact.friction_force;
     force += whole;
     torque += contact.point.cross(whole);
-    largest = std::max(largest, contact.force);
-    EXPECT_LE(contact.friction.norm(), 0.7 * contact.force + 1e-9);
-    EXPECT_NEAR(contact.friction.dot(contact.normal), 0, 1e-9);
+    largest = std::max(largest, contact.normal_force);
+    EXPECT_LE(contact.friction_force.norm(), 0.7 * contact.normal_force + 1e-9);
+    EXPECT_NEAR(contact.friction_force.dot(contact.normal), 0, 1e-9);
   }
   EXPECT_GT(largest, 1);
   for (const PadContact& contact : plan.grasp.contacts) {
-    EXPECT_GE(contact.force, 0.09 * largest) << contact.tip << " bears its share";
+    EXPECT_GE(contact.normal_force, 0.09 * largest) << contact.tip << " bears its share";
   }
   EXPECT_LT(force.norm(), 1e-3 * largest);
-  EXPECT_LT(torque.norm(), largest * (3 * quality.torsion)) << "the rest is torsion";
-  EXPECT_LE(plan.grasp.squeeze_torque.cwiseAbs().maxCoeff(), 1 + 1e-6);
-  EXPECT_EQ(plan.grasp.squeeze_torque.head(7).norm(), 0) << "the arm holds the hand";
-  const JointVector beyond = plan.grasp.squeeze_posture - plan.grasp.hand_posture;
-  EXPECT_LT((10 * beyond - plan.grasp.squeeze_torque).norm(), 1e-9);
+  EXPECT_LT(torque.norm(), largest * (3 * quality.torsional_friction)) << "the rest is torsion";
+  EXPECT_LE(plan.grasp.grasp_torque.cwiseAbs().maxCoeff(), 1 + 1e-6);
+  EXPECT_EQ(plan.grasp.grasp_torque.head(7).norm(), 0) << "the arm holds the hand";
+  const JointVector beyond = plan.grasp.servo_target - plan.grasp.grasp_posture;
+  EXPECT_LT((10 * beyond - plan.grasp.grasp_torque).norm(), 1e-9);
 }
 
 TEST(Contacts, ThatCannotHoldHaveNoSqueezeAndThePlanSaysSo) {
-  const Plan plan = planned_drink({"grasp.friction=0.01"});
+  const Plan plan = planned_drink({"grasp.friction_coefficient=0.01"});
   ASSERT_TRUE(plan.executable()) << plan.detail;
   EXPECT_LT(plan.grasp.quality.epsilon_upper, 0) << "ice";
-  EXPECT_EQ(plan.grasp.squeeze_torque.size(), 0);
-  EXPECT_TRUE(std::isnan(plan.grasp.contacts.at(0).force));
-  EXPECT_THAT(plan.detail, HasSubstr("no squeeze: no forces of these contacts balance"));
+  EXPECT_EQ(plan.grasp.grasp_torque.size(), 0);
+  EXPECT_TRUE(std::isnan(plan.grasp.contacts.at(0).normal_force));
+  EXPECT_THAT(plan.detail, HasSubstr("no squeeze: no forces at these contacts are in balance"));
 }
 
 TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
   const Plan plan = planned_drink({});
-  EXPECT_EQ(plan.tolerances.contact_depth, 0.005);
-  EXPECT_FALSE(plan.tolerances.link_depth);
-  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+  EXPECT_EQ(plan.tolerances.max_penetration, 0.005);
+  EXPECT_FALSE(plan.tolerances.max_link_penetration);
+  EXPECT_EQ(plan.goals.tip_to_pad_share.rows, 0U);
   EXPECT_TRUE(plan.grasp.contacts.empty());
 }
 
@@ -99,8 +99,8 @@ double least_room(const Plan& plan) {
   const robot::Robot robot(
       robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
   Tolerances tolerances = plan.tolerances;
-  tolerances.contact_depth = 0.001;
-  tolerances.link_depth = 0;
+  tolerances.max_penetration = 0.001;
+  tolerances.max_link_penetration = 0;
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, tolerances);
   collision::CollisionScratch scratch;
@@ -115,14 +115,14 @@ double least_room(const Plan& plan) {
 }
 
 TEST(Contacts, WhereNothingTouchesThePlanIsTheOneByTipsAndKeepsOutOfTheTarget) {
-  const std::vector<std::string> nobody{"grasp.near=0.0001", "grasp.pad_depth=0"};
+  const std::vector<std::string> nobody{"grasp.touch_distance=0.0001", "grasp.pad_depth=0"};
   std::vector<std::string> deeper = nobody;
-  deeper.insert(deeper.end(), {"grasp.penetration=0.005", "grasp.link_penetration=0.005"});
+  deeper.insert(deeper.end(), {"grasp.max_penetration=0.005", "grasp.max_link_penetration=0.005"});
   const Plan by_tips = planned_drink({}), plan = planned_drink(deeper);
   ASSERT_TRUE(plan.executable()) << plan.detail;
-  EXPECT_THAT(plan.detail, HasSubstr("no contact: no fingertip's skin was within"));
+  EXPECT_THAT(plan.detail, HasSubstr("no contacts: no fingertip's skin was within"));
   EXPECT_EQ(plan.trajectory.position, by_tips.trajectory.position) << "bit for bit";
-  EXPECT_EQ(plan.goals.pad_share.rows, 0U);
+  EXPECT_EQ(plan.goals.tip_to_pad_share.rows, 0U);
 
   // A cup that is wider than the tips are apart.
   const std::string wide = "scene.target.pad_depth=0.008";

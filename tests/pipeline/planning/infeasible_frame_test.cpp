@@ -88,7 +88,7 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, Reason::goal_in_collision);
   EXPECT_GT(end->tried, 1);
-  EXPECT_GT(end->nearest.depth, 0);
+  EXPECT_GT(end->nearest.excess, 0);
   EXPECT_TRUE(holds.empty());
 }
 

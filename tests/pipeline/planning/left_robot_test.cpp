@@ -26,7 +26,7 @@ robot::Robot mirrored(const robot::Robot& robot) {
   table.side = table.side == Side::right ? Side::left : Side::right;
   for (RobotModel::Frame& frame : table.frames) {
     frame.transform = seen_in_mirror(frame.transform);
-    frame.axis = frame.slides ? Vec3(kMirror * frame.axis) : Vec3(-(kMirror * frame.axis));
+    frame.axis = frame.prismatic ? Vec3(kMirror * frame.axis) : Vec3(-(kMirror * frame.axis));
   }
   for (RobotModel::Tip& tip : table.tips) tip.transform = seen_in_mirror(tip.transform);
   for (RobotModel::Capsule& capsule : table.capsules) {
@@ -92,8 +92,8 @@ TEST(LeftRobot, DoesAsItsMirrorImageDoes) {
                 1e-9);
     }
     EXPECT_NEAR(b.certificate.upper_arm_error_mean, a.certificate.upper_arm_error_mean, 0.01);
-    EXPECT_NEAR(b.certificate.position_error_max, a.certificate.position_error_max, 1e-3);
-    EXPECT_NEAR(b.certificate.tempo, a.certificate.tempo, 0.1);
+    EXPECT_NEAR(b.certificate.tip_error_max, a.certificate.tip_error_max, 1e-3);
+    EXPECT_NEAR(b.certificate.duration_ratio, a.certificate.duration_ratio, 0.1);
     // Rounding may end a search in another basin: the two fingertips that were seen leave the hand
     // a turn. What it is worth is the same.
     const auto objective = [](const Plan& plan) {

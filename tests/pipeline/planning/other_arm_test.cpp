@@ -94,11 +94,12 @@ TEST(OtherArm, IsPassedAtTheMarginOnlyIfAskedFor) {
   EXPECT_TRUE(around.certificate.repaired);
   EXPECT_THAT(notes, ElementsAre(HasSubstr("no fingertip seen in 201 of 201 frames")));
   const auto found = std::ranges::any_of(around.findings, [](const Finding& finding) {
-    return finding.second == "other hand" || finding.first == "other hand";
+    return finding.other_body == "other hand" || finding.subject == "other hand";
   });
   EXPECT_TRUE(found) << "what was in the way stays on record under its name";
   for (const SceneObject& part : around.scene.objects) {
-    EXPECT_GE(least_distance(of.robot, around.trajectory, part), around.tolerances.margin - 1e-6)
+    EXPECT_GE(least_distance(of.robot, around.trajectory, part),
+              around.tolerances.required_clearance - 1e-6)
         << part.name;
   }
   EXPECT_LT(least_distance(of.robot, through.trajectory, around.scene.objects[2]), -0.01);
@@ -128,8 +129,8 @@ TEST(OtherArm, OneThatIsNoPersonsIsSaidToBeSo) {
   }
   std::vector<std::string> notes;
   EXPECT_EQ(other_arm_obstacles(of.planner(), demonstration, notes).size(), 3u);
-  EXPECT_THAT(notes, testing::Contains(HasSubstr("other arm, an obstacle all the same: elbow and "
-                                                 "wrist lie")));
+  EXPECT_THAT(notes, testing::Contains(HasSubstr(
+                         "other arm is implausible, but still an obstacle: elbow and wrist are")));
 }
 
 TEST(OtherArm, AHandAloneHasNone) {
@@ -139,7 +140,7 @@ TEST(OtherArm, AHandAloneHasNone) {
   std::vector<std::string> notes;
   EXPECT_THAT(other_arm_obstacles({of.config, hand}, other_arm_at_the_elbow(of, 0.06), notes),
               IsEmpty());
-  EXPECT_THAT(notes, ElementsAre(HasSubstr("a hand alone has no place in the world")));
+  EXPECT_THAT(notes, ElementsAre(HasSubstr("a hand without an arm has no position in the world")));
 }
 
 TEST(OtherArm, ARecordedObjectOfThatNameStaysWhatItIs) {
@@ -151,7 +152,7 @@ TEST(OtherArm, ARecordedObjectOfThatNameStaysWhatItIs) {
   const auto capsules = other_arm_obstacles(of.planner(), demonstration, notes);
   ASSERT_EQ(capsules.size(), 2u);
   EXPECT_EQ(capsules[1].name, "other forearm");
-  EXPECT_THAT(notes, testing::Contains(HasSubstr("other hand is an object that was recorded")));
+  EXPECT_THAT(notes, testing::Contains(HasSubstr("other hand was recorded as an object")));
 }
 
 }  // namespace

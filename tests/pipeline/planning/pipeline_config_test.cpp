@@ -70,21 +70,24 @@ TEST_F(PipelineConfigFiles, MistakesNameFileLineAndKey) {
   const auto wrong = [&](const std::string& text) { return error(write("c.yaml", robot + text)); };
   EXPECT_THAT(wrong("map: {start: 9}\n"),
               EndsWith("c.yaml:2: map.start: unknown key; did you mean 'starts'?"));
+  EXPECT_THAT(wrong("map:\n  natural: []\n"),
+              EndsWith("c.yaml:3: map.natural: unknown key; it is now called 'natural_posture'"));
   EXPECT_THAT(wrong("map:\n  mode: human\n"), HasSubstr("c.yaml:3: map.mode: must be humanlike, "));
   EXPECT_THAT(wrong("map: {tip_position: -1}\n"), HasSubstr("weights must not be negative"));
-  EXPECT_THAT(wrong("map:\n  natural:\n    - {joint: nose}\n"),
-              HasSubstr("c.yaml:4: map.natural[0].joint: robot pa10_dlr_hit2 has no actuated joint "
-                        "'nose'"));
+  EXPECT_THAT(
+      wrong("map:\n  natural_posture:\n    - {joint: nose}\n"),
+      HasSubstr("c.yaml:4: map.natural_posture[0].joint: robot pa10_dlr_hit2 has no actuated joint "
+                "'nose'"));
   EXPECT_THAT(wrong("approach:\n  home:\n    - {joint: S1, value: 400 deg}\n"),
               HasSubstr("is beyond the joint's limits"));
   EXPECT_THAT(error(write("c.yaml", "seed: 1\n")), HasSubstr("robot: is missing"));
-  EXPECT_THAT(error(write("c.yaml", robot), {"map"}), HasSubstr("needs a.b=value"));
+  EXPECT_THAT(error(write("c.yaml", robot), {"map"}), HasSubstr("must have the form a.b=value"));
 }
 
 TEST_F(PipelineConfigFiles, ExtendingInACircleIsSeen) {
   write("a.yaml", "extends: b.yaml\n");
   write("b.yaml", "extends: a.yaml\n");
-  EXPECT_THAT(error(folder / "a.yaml"), HasSubstr("comes back to a config that extends this one"));
+  EXPECT_THAT(error(folder / "a.yaml"), HasSubstr("names a config that itself extends this one"));
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TEST(PlaceMovement, GoalsAndBodiesGoIntoTheBaseFrame) {
   of.config.placement.rotation = {{"z", a}, {"x", b}};
   of.config.placement.shoulder_offset = Vec3(0.1, -0.2, 0.05);
   of.config.scene.objects = {ball("post", {0.5, 0.6, 0.7}), ball("lamp", {-0.3, 0.2, 0.9})};
-  of.config.scene.objects.back().in_mapping = false;
+  of.config.scene.objects.back().avoid_in_mapping = false;
   const Vec3 offset(0.01, 0.02, -0.03);
   const Scene around = scene_around(of.planner(), {}, of.motion, of.movement);
   const PlacedMovement placed(of.planner(), of.motion, of.movement, around, offset);
@@ -85,13 +85,13 @@ TEST(PlaceMovement, BodiesMayStandRelativeToTheBase) {
   of.config.scene.objects[1].relative_to = scene::ReferenceFrame::table;
   const PlacedMovement nowhere(of.planner(), of.motion, of.movement, around, Vec3::Zero());
   EXPECT_EQ(nowhere.missing_support,
-            "lamp stands relative to the table, and there is none in this movement");
+            "lamp is placed relative to the table, which does not exist in this movement");
 }
 
 TEST(PlaceMovement, TheMappingKnowsTheTargetIfItIsToStayClearOfIt) {
   for (const bool clear : {false, true}) {
     test::RobotDemonstration of;
-    of.config.map.clear_of_target = clear;
+    of.config.map.avoid_target = clear;
     Demonstration beside;
     SceneObject cup;
     cup.name = "cup";
@@ -121,16 +121,16 @@ TEST(PlaceMovement, TheOffsetFindsBackWhereTheGoalsWereMade) {
   }
   const Vec3 beside(0.02, -0.015, 0.01);
   of.config.placement.shoulder_offset = beside;
-  of.config.map.free_offset.limit_m = 0.04;
-  of.config.map.free_offset.weight = 0;
+  of.config.map.base_offset.limit_m = 0.04;
+  of.config.map.base_offset.weight = 0;
   const planning::PlanningInputs planner{of.config, still};
   const Scene around = scene_around(planner, {}, of.motion, of.movement);
   const Vec3 offset = choose_offset(planner, of.motion, of.movement, around, 5);
   EXPECT_LT((offset + beside).norm(), 0.0015) << offset.transpose();
-  of.config.map.free_offset.limit_m = 0.012;
+  of.config.map.base_offset.limit_m = 0.012;
   const Vec3 limited = choose_offset(planner, of.motion, of.movement, around, 5);
   EXPECT_LT((limited - Vec3(-0.012, 0.012, -0.01)).norm(), 0.0015) << limited.transpose();
-  of.config.map.free_offset.weight = 1e9;
+  of.config.map.base_offset.weight = 1e9;
   EXPECT_EQ(choose_offset(planner, of.motion, of.movement, around, 5), Vec3::Zero())
       << "where moving the base is dear it stays";
 }

@@ -33,10 +33,10 @@ TEST(PlanMovement, WhatTheRobotCanDoIsPlannedAndMet) {
   const test::RobotDemonstration of;
   const Plan plan = plan_of(of);
   ASSERT_EQ(plan.reason, Reason::none) << plan.detail;
-  EXPECT_LT(plan.certificate.position_error_max, 1e-3);
-  EXPECT_GE(plan.certificate.clearance, plan.tolerances.margin);
+  EXPECT_LT(plan.certificate.tip_error_max, 1e-3);
+  EXPECT_GE(plan.certificate.clearance, plan.tolerances.required_clearance);
   EXPECT_FALSE(plan.certificate.repaired);
-  EXPECT_GT(plan.certificate.tempo, 0.99);
+  EXPECT_GT(plan.certificate.duration_ratio, 0.99);
   for (const auto reachable : plan.goals.reachable.values) EXPECT_EQ(reachable, 1);
   // From the trajectory itself: tips where the person's are, limits kept at every sample.
   std::vector<Pose> frames;
@@ -60,7 +60,7 @@ TEST(PlanMovement, AGraspInsideAnObstacleIsRefusedWithItsTime) {
   of.config.scene.objects = {ball_at_the_end(of, 0.05)};
   const Plan plan = plan_of(of);
   EXPECT_EQ(plan.reason, Reason::goal_in_collision) << name_of(plan.reason);
-  EXPECT_THAT(plan.detail, HasSubstr("postures for 1.4"));
+  EXPECT_THAT(plan.detail, HasSubstr("at 1.4"));
   EXPECT_EQ(plan.trajectory.samples(), 0u);
   EXPECT_FALSE(plan.findings.empty()) << "what the mapping ran into stays on record";
 }
@@ -109,11 +109,12 @@ TEST(PlanMovement, GoalsThatNoArmReachesAreNotMarkedAsReachable) {
 TEST(PlanMovement, WhatReachesNoGoalIsNeverExecutableWhateverTrackingAllows) {
   test::RobotDemonstration of;
   of.config.map.starts = 4;
-  of.config.map.reachable_starts = 4;
+  of.config.map.reach_search_starts = 4;
   for (Vec3& tip : of.motion.tip.values) tip += Vec3(1.5, 0, 0);
-  of.config.check.tolerances.tracking = of.config.check.tolerances.tracking_grasp = 100;
-  of.config.check.tolerances.out_of_reach_share = 0.99;
-  of.config.check.tolerances.farthest_tip = 100;
+  of.config.check.tolerances.tracking_tolerance =
+      of.config.check.tolerances.tracking_tolerance_grasp = 100;
+  of.config.check.tolerances.max_unreachable_share = 0.99;
+  of.config.check.tolerances.max_tip_error = 100;
   const Plan plan = plan_of(of);
   EXPECT_NE(plan.status(), Status::executable);
   if (plan.has_trajectory()) {

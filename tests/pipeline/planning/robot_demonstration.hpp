@@ -53,7 +53,7 @@ struct RobotDemonstration {
     config.scene.table.infer = config.scene.target.infer = false;
     config.map.key_frames = 3;
     config.map.starts = 8;
-    config.map.reachable_starts = 8;
+    config.map.reach_search_starts = 8;
   }
 
   planning::PlanningInputs planner() const { return {config, robot}; }

@@ -111,7 +111,7 @@ TEST(ViewOf, AnInfeasiblePlanShowsItsPathAndTheWorstInstant) {
   EXPECT_EQ(view.motions[0].velocity.rows(), 0);
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 6, 1e-9);
-  EXPECT_EQ(view.worst->sentence, "forearm and ball overlap by 20.00 mm; 1.00 mm is asked for");
+  EXPECT_EQ(view.worst->sentence, "forearm and ball overlap by 20.00 mm; the minimum is 1.00 mm");
   EXPECT_FALSE(view.motions[0].touching_pairs.empty());
 }
 
@@ -121,7 +121,8 @@ TEST(ViewOf, AMissedGoalSaysWhatWouldPass) {
   ASSERT_TRUE(view.worst.has_value());
   EXPECT_NEAR(view.worst->demonstration_s, 7, 1e-9);
   const double error = std::hypot(2 * std::hypot(0.55, 0.04) * std::sin(kAngle / 2), 0.003);
-  EXPECT_THAT(view.worst->sentence, testing::HasSubstr("5.00 mm is allowed in grasp and hold"));
+  EXPECT_THAT(view.worst->sentence,
+              testing::HasSubstr("the tolerance is 5.00 mm in grasp and hold"));
   EXPECT_THAT(view.advice, testing::Contains(testing::HasSubstr(fmt::format(
                                "{:.1f} mm from its goal at 7.00 s in the grasp", 1e3 * error))));
 }
@@ -134,7 +135,7 @@ TEST(ViewOf, AMovementWithoutAnythingHasNoMotion) {
   EXPECT_FALSE(view.worst.has_value());
   ASSERT_EQ(view.advice.size(), 2u);
   EXPECT_THAT(view.advice[0], testing::HasSubstr("morphe inspect"));
-  EXPECT_THAT(view.advice[1], testing::HasSubstr("--set segment.whole=true"));
+  EXPECT_THAT(view.advice[1], testing::HasSubstr("--set segment.whole_recording=true"));
 }
 
 }  // namespace

@@ -62,19 +62,22 @@ TEST(SelectPlans, ByNameAndWorst) {
   const store::PlanReader reader(file_of_five());
   EXPECT_THAT(select_plans(reader, {.pattern = "d[0]*", .ranking_measure = ""}).plans,
               testing::IsEmpty());
-  EXPECT_THAT(select_plans(reader, {.pattern = "d?/000", .infeasible_only = true, .ranking_measure = ""}).plans,
-              ElementsAre(0, 1, 2, 3, 4));
-  const SelectedPlans worst =
-      select_plans(reader, {.pattern = "", .worst_count = 2, .ranking_measure = "out_of_reach"});
+  EXPECT_THAT(
+      select_plans(reader, {.pattern = "d?/000", .infeasible_only = true, .ranking_measure = ""})
+          .plans,
+      ElementsAre(0, 1, 2, 3, 4));
+  const SelectedPlans worst = select_plans(
+      reader, {.pattern = "", .worst_count = 2, .ranking_measure = "unreachable_share"});
   EXPECT_THAT(worst.plans, ElementsAre(1, 3));
-  EXPECT_EQ(worst.left_out, "3 of 5 plans are left out: shown are the 2 worst by out_of_reach");
+  EXPECT_EQ(worst.left_out, "3 of 5 plans are hidden; shown are the 2 worst by unreachable_share");
 }
 
 TEST(SelectPlans, OfEqualsTheEarlierAndThoseWithoutAValueLast) {
   const store::PlanReader reader(file_of_five());
-  EXPECT_THAT(
-      select_plans(reader, {.pattern = "", .worst_count = 3, .ranking_measure = "out_of_reach"}).plans,
-      ElementsAre(0, 1, 3));
+  EXPECT_THAT(select_plans(
+                  reader, {.pattern = "", .worst_count = 3, .ranking_measure = "unreachable_share"})
+                  .plans,
+              ElementsAre(0, 1, 3));
   EXPECT_THAT(
       select_plans(reader, {.pattern = "", .worst_count = 2, .ranking_measure = "clearance"}).plans,
       ElementsAre(0, 1));

@@ -21,7 +21,7 @@ Batch numbered_batch(int count, std::vector<std::string>& written) {
     if (number % 7 == 6) throw std::runtime_error("broken");
     DemonstrationOutcome outcome;
     Plan plan;
-    plan.reason = number % 2 ? Reason::none : Reason::collision;
+    plan.reason = number % 2 ? Reason::none : Reason::smoothing_collision;
     outcome.plans.push_back(plan);
     return outcome;
   };
@@ -50,35 +50,34 @@ TEST(Batch, OneBrokenDemonstrationDoesNotStopTheOthers) {
   EXPECT_EQ(summary.movements, 12);
   EXPECT_EQ(summary.executable, 6);  // 1 3 5 7 9 11; 13 is broken
   EXPECT_EQ(summary.infeasible, 6);
-  EXPECT_EQ(summary.reasons.at("collision"), 6);
+  EXPECT_EQ(summary.reasons.at("smoothing_collision"), 6);
 }
 
 TEST(Batch, CountsFramesForEachSecondOfACore) {
   DemonstrationOutcome outcome;
   for (const int frames : {120, 0, 80}) {  // the second was never mapped
     Plan plan;
-    plan.reason = Reason::collision;
+    plan.reason = Reason::smoothing_collision;
     plan.mapped.position = JointRows::Zero(frames, 7);
-    plan.mapped.position_error = JointRows::Zero(0, 0);
+    plan.mapped.tip_error = JointRows::Zero(0, 0);
     outcome.plans.push_back(plan);
   }
-  outcome.stage_seconds = {
-      {"certify", 0.0375}, {"map", 0.3}, {"segment", 1e-4}, {"retime", 0.0624}};
+  outcome.stage_cpu_s = {{"certify", 0.0375}, {"map", 0.3}, {"segment", 1e-4}, {"retime", 0.0624}};
   BatchSummary summary = summary_of(outcome);
   EXPECT_EQ(summary.movements, 3);
   EXPECT_EQ(summary.mapped, 2);
   EXPECT_EQ(summary.frames, 200);
-  EXPECT_DOUBLE_EQ(frames_per_second(summary), 500);
-  EXPECT_DOUBLE_EQ(movement_ms(summary).at("map"), 150);
+  EXPECT_DOUBLE_EQ(frames_per_cpu_second(summary), 500);
+  EXPECT_DOUBLE_EQ(stage_ms_per_movement(summary).at("map"), 150);
   EXPECT_EQ(speed_text(summary),
-            "200 frames planned, 500 for each second of a core; 200 ms a movement: map 150, retime "
+            "200 frames; 500 frames/s per core; 200 ms per movement: map 150, retime "
             "31, certify 19");
   add(summary_of(outcome), summary);  // as much again in as much more time
   EXPECT_EQ(summary.frames, 400);
-  EXPECT_DOUBLE_EQ(frames_per_second(summary), 500);
-  EXPECT_DOUBLE_EQ(movement_ms(summary).at("map"), 150);
+  EXPECT_DOUBLE_EQ(frames_per_cpu_second(summary), 500);
+  EXPECT_DOUBLE_EQ(stage_ms_per_movement(summary).at("map"), 150);
   EXPECT_EQ(speed_text({}), "");
-  EXPECT_EQ(frames_per_second({}), 0);
+  EXPECT_EQ(frames_per_cpu_second({}), 0);
 }
 
 }  // namespace

@@ -42,8 +42,8 @@ class JournalTest : public testing::Test {
     result.dataset = "data";
     result.summary.demonstrations = 1;
     result.summary.movements = 2;
-    result.summary.reasons["collision"] = 1;
-    result.summary.stage_seconds["map"] = 0.1;
+    result.summary.reasons["smoothing_collision"] = 1;
+    result.summary.stage_cpu_s["map"] = 0.1;
     result.plans = {{"row 1 of " + name, bytes}, {"row 2 of " + name, bytes}};
     return result;
   }
@@ -74,8 +74,8 @@ TEST_F(JournalTest, KeepsWhatWasCommittedAndNothingElse) {
   EXPECT_EQ(found->fingerprint.input + found->fingerprint.config + found->fingerprint.robot +
                 found->fingerprint.scene + found->fingerprint.program + found->dataset,
             "inconrobsceprodata");
-  EXPECT_EQ(found->summary.reasons.at("collision"), 1);
-  EXPECT_EQ(found->summary.stage_seconds.at("map"), 0.1);
+  EXPECT_EQ(found->summary.reasons.at("smoothing_collision"), 1);
+  EXPECT_EQ(found->summary.stage_cpu_s.at("map"), 0.1);
 }
 
 TEST_F(JournalTest, GoesThroughWhatIsWantedInOrder) {
@@ -129,7 +129,7 @@ TEST_F(JournalTest, OfAnotherVersionOrShardIsRefusedUnlessFresh) {
     return std::string();
   };
   EXPECT_THAT(refused("morphe 2", {2, 3}), HasSubstr("was written by morphe 1.2.3"));
-  EXPECT_THAT(refused("morphe 1.2.3", {1, 3}), HasSubstr("holds shard 2/3"));
+  EXPECT_THAT(refused("morphe 1.2.3", {1, 3}), HasSubstr("contains shard 2/3"));
   EXPECT_EQ(refused("morphe 1.2.3", {2, 3}), "");
   EXPECT_FALSE(open({}, true)->has_results());
 }

@@ -1,5 +1,6 @@
 #include "pipeline/run/shard.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -16,7 +17,9 @@ TEST(Shard, IsReadAndWritten) {
   EXPECT_EQ(shard_text({3, 16}), "3/16");
   for (const char* text :
        {"", "3", "0/3", "4/3", "-1/3", "1/0", "1/3/5", "1 /3", "a/b", "1/9999999"}) {
-    EXPECT_THROW(parse_shard(text), InputError) << text;
+    EXPECT_THAT([&] { parse_shard(text); },
+                testing::ThrowsMessage<InputError>(testing::StrEq(
+                    fmt::format("--shard {}: must be I/N with 1 <= I <= N, or slurm", text))));
   }
 }
 

@@ -43,7 +43,7 @@ TEST(TimeLeft, IsSaidWithItsRate) {
   sum.executable = 4;
   sum.failed = 1;
   EXPECT_EQ(progress_text(sum, 5, {30, 3, {0}, 1, 1}),
-            "3 of 5, 6.0 a minute, 20 s left: 4 executable (0 repaired), 0 infeasible, 1 failed");
+            "3 of 5, 6.0 per minute, 20 s left: 4 executable (0 repaired), 0 infeasible, 1 failed");
 }
 
 TEST(TimeLeft, NumbersAndWhatTheyCount) {

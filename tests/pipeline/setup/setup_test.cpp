@@ -68,8 +68,9 @@ TEST(SetUp, TheCentresOfAnArmLieWhereItsAxesMeet) {
   const RobotModel found = set_up_file(nameless("pa10")).table;
   EXPECT_EQ(found.joints(), 7u);
   EXPECT_LT((frame_at(found, found.shoulder_frame) - Vec3(0, 0, 0.317)).norm(), 1e-6);
-  ASSERT_EQ(found.centres.size(), 1u);  // an arm alone: its wrist is the end-effector
-  EXPECT_LT((frame_at(found, found.centres[0].frame) - Vec3(0, 0, 0.317 + 0.45)).norm(), 1e-6);
+  ASSERT_EQ(found.joint_centres.size(), 1u);  // an arm alone: its wrist is the end-effector
+  EXPECT_LT((frame_at(found, found.joint_centres[0].frame) - Vec3(0, 0, 0.317 + 0.45)).norm(),
+            1e-6);
   // The flange: z outwards, along the last axis.
   const Pose flange = robot::tip_pose(found, poses_at_zero(found), 0);
   EXPECT_LT((flange.linear().col(2) - Vec3::UnitZ()).norm(), 1e-6);
@@ -101,10 +102,10 @@ TEST(SetUp, AHandIsKnownByItsGeometryAlone) {
   EXPECT_EQ(description.table.side, Side::right);
   EXPECT_THAT(result.to_check, Contains(HasSubstr("a right hand")));
   // Middle joints, and postures that follow the index.
-  ASSERT_EQ(found.centres.size(), 5u);
+  ASSERT_EQ(found.joint_centres.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) {
     const auto wanted = robot::frame_named(hand, fmt::format("{}_middle", kFingerNames[i]));
-    EXPECT_LT((frame_at(found, found.centres[i].frame) - theirs[wanted].translation()).norm(),
+    EXPECT_LT((frame_at(found, found.joint_centres[i].frame) - theirs[wanted].translation()).norm(),
               1e-9);
   }
   EXPECT_EQ(description.natural.size(), 9u);
@@ -193,7 +194,7 @@ TEST(SetUp, CentresDoNotDependOnWhereFramesStandAlongTheirAxes) {
   SetupResult result;
   const RobotModel arm = set_up_file(robot::write_text("skew.urdf", skew_arm()), &result).table;
   EXPECT_LT((frame_at(arm, arm.shoulder_frame) - Vec3(0, 0, 0.4)).norm(), 1e-9);
-  EXPECT_LT((frame_at(arm, arm.centres[0].frame) - Vec3(0.05, 0, 0.8)).norm(), 1e-9);
+  EXPECT_LT((frame_at(arm, arm.joint_centres[0].frame) - Vec3(0.05, 0, 0.8)).norm(), 1e-9);
   EXPECT_THAT(result.text, HasSubstr("wrist_centre, parent: l4"));
   const auto wrist = robot::frame_named(arm, "wrist_centre");
   EXPECT_LT((frame_at(arm, static_cast<int>(wrist)) - Vec3(0, 0, 1.2)).norm(), 1e-9);
@@ -209,7 +210,7 @@ TEST(SetUp, PublishedLimitsAreTaken) {
   ASSERT_EQ(arm.braking_curves.size(), 7u);
   EXPECT_EQ(arm.acceleration[0], 10);
   EXPECT_EQ(arm.jerk[6], 5000);
-  EXPECT_EQ(arm.braking_curves[1].slope, 5.17);
+  EXPECT_EQ(arm.braking_curves[1].twice_deceleration, 5.17);
 }
 
 TEST(SetUp, WhatAPersonChangedStays) {
@@ -225,7 +226,7 @@ TEST(SetUp, WhatAPersonChangedStays) {
   const SetupResult again = make_description(request, changed);
   EXPECT_THAT(again.text, HasSubstr("pad_depth: 0.02"));
   EXPECT_THAT(again.text, HasSubstr("name: renamed"));
-  EXPECT_THAT(again.notes, Contains("kept as changed: tips"));
+  EXPECT_THAT(again.notes, Contains("kept because edited: tips"));
 }
 
 TEST(SetUp, AHandIsMountedOnAFlange) {
@@ -245,7 +246,7 @@ TEST(SetUp, AHandIsMountedOnAFlange) {
   const Vec3 tip = robot::tip_pose(both.table, ours, 1).translation();
   // The shipped tip lies on the bone, 25 mm from the last joint; ours 18.6 mm, above it.
   EXPECT_LT((tip - robot::tip_pose(shipped, theirs, 1).translation()).norm(), 0.01);
-  EXPECT_EQ(both.table.centres.size(), 7u);  // elbow, wrist, five fingers
+  EXPECT_EQ(both.table.joint_centres.size(), 7u);  // elbow, wrist, five fingers
   // Without a mount the fingers point along the flange's axis.
   request.mount.reset();
   const SetupResult assumed = mount_hand(request, std::nullopt);
@@ -256,7 +257,7 @@ TEST(SetUp, AnArmAndItsHandMayComeInOneFile) {
   const robot::RobotDescription both = set_up_file(nameless("pa10_dlr_hit2"));
   EXPECT_EQ(both.table.joints(), 22u);
   EXPECT_EQ(both.table.tips.size(), 5u);
-  EXPECT_EQ(both.table.centres.size(), 7u);
+  EXPECT_EQ(both.table.joint_centres.size(), 7u);
   // The same again, of the URDF that is written of it: its frames have the names that setup gives.
   const RobotModel table = both.table;
   const robot::RobotDescription twice =
@@ -271,14 +272,14 @@ TEST(SetUp, SaysWhatIsWrong) {
   request.out = folder() / "out.yaml";
   request.hand = "nowhere";
   EXPECT_THAT([&] { make_description(request, std::nullopt); },
-              testing::ThrowsMessage<InputError>(HasSubstr("there is no link 'nowhere'")));
+              testing::ThrowsMessage<InputError>(HasSubstr("link 'nowhere' does not exist")));
   request.hand.clear();
   std::string text = skew_arm();
   text.replace(text.find("<sphere radius=\"0.05\"/>"), 23,
                "<mesh filename=\"package://x/y.stl\"/>");
   request.urdf = robot::write_text("mesh.urdf", text);
   EXPECT_THAT(make_description(request, std::nullopt).notes,
-              Contains(HasSubstr("mesh 'package://x/y.stl' is missing")));
+              Contains(HasSubstr("mesh 'package://x/y.stl' not found")));
 }
 
 TEST(KeepChanges, SectionsThatNobodyTouchedAreMadeAnew) {

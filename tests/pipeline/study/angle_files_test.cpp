@@ -1,6 +1,7 @@
 #include "pipeline/study/angle_files.hpp"
 
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,6 +13,9 @@
 
 namespace morphe::study {
 namespace {
+
+using testing::StrEq;
+using testing::ThrowsMessage;
 
 const std::filesystem::path kTrials =
     std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets" / "ue-adl";
@@ -59,9 +63,12 @@ TEST(AngleFiles, RefusesWhatIsNoAngleFile) {
     motion.wrist.push_back(Vec3::UnitY());
   }
   motion.tip = Array2D<Vec3>(3, kFingerCount, unknown_point());
-  EXPECT_THROW(compare_with_angle_file({}, motion, {}, file), InputError);
+  const auto compare = [&] { compare_with_angle_file({}, motion, {}, file); };
+  EXPECT_THAT(compare, ThrowsMessage<InputError>(
+                           StrEq(file.string() + ":1: Finger Velocity: the column is missing")));
   std::ofstream(file) << "Finger Velocity,elbow flexion-extension\n1,1\n1,1\n1,1\n1,1\n";
-  EXPECT_THROW(compare_with_angle_file({}, motion, {}, file), InputError);
+  EXPECT_THAT(compare, ThrowsMessage<InputError>(
+                           StrEq(file.string() + ": has more rows than the recording")));
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ TEST(TipOfFinger, LeavesOutTipsBetweenFingers) {
        {std::pair(0, kUnknown), std::pair(1, 0.0), std::pair(2, 0.5), std::pair(4, 1.0)}) {
     RobotModel::Tip tip;
     tip.finger = finger;
-    tip.along = along;
+    tip.finger_curve_share = along;
     table.tips.push_back(tip);
   }
   EXPECT_EQ(tip_of_finger(table, 0), 0U);
@@ -153,21 +153,21 @@ TEST(GraspRows, CompareWhatIsExecutableBothWays) {
   };
   EXPECT_EQ(row("contacts", "executable").ours, 0.75);
   EXPECT_EQ(row("contacts", "executable").at_least, 0.75);
-  const StudyRow distance = row("contacts", "contact points from the known ones, median");
+  const StudyRow distance = row("contacts", "contact point error, median");
   EXPECT_NEAR(distance.ours, 2, 1e-12);
   EXPECT_EQ(distance.count, 3U);
   EXPECT_EQ(distance.at_most, 5);
-  const StudyRow pads = row("contacts", "penetration of pads, deepest");
+  const StudyRow pads = row("contacts", "penetration of pads, largest");
   EXPECT_NEAR(pads.ours, 1.2, 1e-12);
   EXPECT_FALSE(pads.meets_requirement()) << "a millimetre at most";
   const StudyRow duration = row("contacts over fingertips", "duration, ratio, 90 %");
   EXPECT_EQ(duration.count, 2U);
   EXPECT_EQ(duration.ours, 1.75);
   EXPECT_EQ(row("contacts over fingertips", "duration, ratio, median").ours, 1.25);
-  EXPECT_EQ(row("contacts", "contacts known").ours, 3) << "one each of those that run";
-  EXPECT_EQ(row("contacts", "contacts asked").ours, 9);
-  EXPECT_EQ(row("contacts", "contacts given up").ours, 3);
-  EXPECT_EQ(row("contacts", "contacts that touch").ours, 6);
+  EXPECT_EQ(row("contacts", "known contacts").ours, 3) << "one each of those that run";
+  EXPECT_EQ(row("contacts", "contacts demonstrated").ours, 9);
+  EXPECT_EQ(row("contacts", "contacts dropped").ours, 3);
+  EXPECT_EQ(row("contacts", "contacts touching").ours, 6);
 }
 
 }  // namespace

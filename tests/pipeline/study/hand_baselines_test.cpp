@@ -101,7 +101,7 @@ TEST_F(HandPeers, OverlapsAreThoseThatFclFinds) {
   course.q.resize(200, static_cast<Eigen::Index>(robot.joints()));
   const Scene nothing;
   Tolerances touching;
-  touching.margin = 0;
+  touching.required_clearance = 0;
   const collision::CollisionWorld world = collision::make_world(robot, nothing, {}, touching);
   collision::FclEngine fcl(world);
   collision::CollisionScratch scratch;

@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Shapes, HeldObjects,
 /// Where the true hand is while it carries, the object is as it was taken: at its contacts.
 TEST(KnownGrasp, GoesWithTheTrueHandAndStaysWhereItIsLet) {
   synthesize::SynthesizeOptions options;
-  options.movements.per_recording = {1, 1};
+  options.movements.movements_per_recording = {1, 1};
   options.movements.kinds.no_grasp = 0;
   std::size_t found = 0;
   for (std::size_t index = 0; index < 6; ++index) {

@@ -45,12 +45,12 @@ TEST(MappedPoses, FindsThePosturesThatMadeTheGoals) {
     const Pose wrist = robot::tip_pose(robot, frames, 0);
     pose.wrist = wrist.translation();
     pose.hand = Quat(wrist.linear());
-    ASSERT_EQ(robot.centres.size(), 1u);
-    pose.elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
+    ASSERT_EQ(robot.joint_centres.size(), 1u);
+    pose.elbow = frames[static_cast<std::size_t>(robot.joint_centres[0].frame)].translation();
     poses.push_back(pose);
   }
   const std::vector<humanlike::FrameGoal> goals = goals_of(robot, poses, Pose::Identity());
-  for (const char* algorithm : {"structured", "tnewton"}) {
+  for (const char* algorithm : {"trust_region", "tnewton"}) {
     solve::MinimiseOptions options;
     options.algorithm = algorithm;
     const MappedPoses mapped = map_poses(robot, goals, {}, options, 8, 1);

@@ -42,7 +42,8 @@ TEST(RetimeStudy, PathsThatTouchTheirRangeStayInside) {
     const Outcome<retime::RetimeResult> result =
         retime::retime(random.robot, random.path, Movement{}, options);
     ASSERT_EQ(result.failure.reason, Reason::none) << index << ": " << result.failure.detail;
-    EXPECT_LE(measure_limit_usage(random.robot, result.value.trajectory).position_excess, 0) << index;
+    EXPECT_LE(measure_limit_usage(random.robot, result.value.trajectory).position_excess, 0)
+        << index;
   }
 }
 
@@ -56,7 +57,7 @@ TEST(RetimeStudy, NoPathTakesLongerThanAnHour) {
     const Outcome<retime::RetimeResult> result =
         retime::retime(random.robot, random.path, Movement{}, options);
     if (result.failure) {
-      EXPECT_EQ(result.failure.reason, Reason::limit);
+      EXPECT_EQ(result.failure.reason, Reason::joint_limit);
     } else {
       EXPECT_LE(result.value.trajectory.time.back(), 3600);
     }

@@ -45,9 +45,10 @@ TEST(SyntheticSensors, NoiseIsAsConfigured) {
   noisy.sensors.orientation_noise = 0.002618;
   noisy.glove.noise = 0.017453;
   for (SynthesizeOptions* o : {&clean, &noisy}) {
-    o->sensors.slow_s = o->glove.slow_s = 0.1;  // many time constants in a recording
-    o->sensors.slow_share = 0.5;
-    o->glove.slow_share = 0.25;
+    // Many time constants in a recording.
+    o->sensors.correlation_time_s = o->glove.correlation_time_s = 0.1;
+    o->sensors.correlated_noise_share = 0.5;
+    o->glove.correlated_noise_share = 0.25;
   }
   NoiseMeter position, rotation, glove;
   for (std::size_t i = 0; i < 12; ++i) {
@@ -75,8 +76,9 @@ TEST(SyntheticSensors, NoiseIsAsConfigured) {
     EXPECT_NEAR(meter.white_rms(), white_rms, 0.05 * rms);
   };
   // A slow part of time constant 0.1 s takes steps of its own: 1 - exp(-1 / (0.1 rate)) of it.
-  const auto white = [](double rms, double slow_share, double rate_hz) {
-    return rms * std::sqrt(1 - slow_share + slow_share * (1 - std::exp(-1 / (0.1 * rate_hz))));
+  const auto white = [](double rms, double correlated_noise_share, double rate_hz) {
+    return rms * std::sqrt(1 - correlated_noise_share +
+                           correlated_noise_share * (1 - std::exp(-1 / (0.1 * rate_hz))));
   };
   expect(position, 0.00076, white(0.00076, 0.5, 240));
   expect(rotation, 0.002618, white(0.002618, 0.5, 240));
@@ -138,7 +140,7 @@ TEST(SyntheticGlove, ReadsTheHandOnItsOwnClock) {
     }
     EXPECT_LT(worst, 1e-4);
     EXPECT_LT(worst_wrist, 1e-4);
-    EXPECT_THAT(made.truth.reports, testing::Contains("the glove's clock is 0.0500 s ahead"));
+    EXPECT_THAT(made.truth.import_notes, testing::Contains("the glove's clock is 0.0500 s ahead"));
   }
 }
 
@@ -206,12 +208,12 @@ TEST(SyntheticConfig, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(message("movements:\n  reach_s: [1, 0.5]\n"),
               testing::StartsWith("c.yaml:2: movements.reach_s: must be [from, to]"));
   EXPECT_THAT(message("movements: {rest_s: [1]}\n"), testing::HasSubstr("rest_s: must be"));
-  EXPECT_THAT(message("movements: {per_recording: [1, 2.5]}\n"),
+  EXPECT_THAT(message("movements: {movements_per_recording: [1, 2.5]}\n"),
               testing::HasSubstr("must be whole numbers"));
   EXPECT_THAT(
       message("movements:\n  kinds: {minimum_jerk: 0, lognormal: 0, asymmetric: 0, curved: 0, "
               "two_peaks: 0, pause_before_grasp: 0, no_grasp: 0}\n"),
-      testing::StartsWith("c.yaml:2: movements.kinds: one kind must have a weight"));
+      testing::StartsWith("c.yaml:2: movements.kinds: at least one kind must have a weight"));
   EXPECT_THAT(message("sensors:\n  rate: 240\n"), testing::StartsWith("c.yaml:2: sensors.rate"));
 }
 

@@ -217,7 +217,7 @@ TEST(Synthesize, TheHandIsWidestAtTwoThirdsOfTheReachAndKeepsItsGrasp) {
 
 TEST(Synthesize, TremorShakesTheTruthButNotItsLabels) {
   SynthesizeOptions still, trembling;
-  trembling.body.tremor = 0.001;
+  trembling.body.tremor_amplitude = 0.001;
   const Demonstration a = synthesize(still, kTruthSeed, 1).truth;
   const Demonstration b = synthesize(trembling, kTruthSeed, 1).truth;
   ASSERT_EQ(a.labels.size(), b.labels.size());
@@ -235,7 +235,7 @@ TEST(Synthesize, TremorShakesTheTruthButNotItsLabels) {
 
 TEST(Synthesize, AnObjectIsCarriedFromLiftToRelease) {
   SynthesizeOptions options;
-  options.object.recorded_share = 1;
+  options.object.tracked_object_share = 1;
   options.movements.kinds.no_grasp = 0;
   options.movements.kinds.lognormal = 0;  // whose tail is still moving at the lift
   for (std::size_t i = 0; i < 10; ++i) {
@@ -263,13 +263,13 @@ TEST(Synthesize, AnObjectIsCarriedFromLiftToRelease) {
     ASSERT_EQ(grasp.phase, PhaseKind::grasp);
     const auto k = static_cast<std::size_t>(grasp.end_s * 240);
     const double axis_to_surface_m = 0.5 * opening(tips, k) - object.size[0];
-    EXPECT_NEAR(axis_to_surface_m, options.hand.pad, 0.001);
+    EXPECT_NEAR(axis_to_surface_m, options.hand.pad_depth, 0.001);
   }
 }
 
 TEST(Synthesize, RecordingsMayBeginAndEndInsideAMovement) {
   SynthesizeOptions options;
-  options.movements.starts_inside_share = options.movements.ends_inside_share = 1;
+  options.movements.truncated_start_share = options.movements.truncated_end_share = 1;
   std::size_t headless = 0;
   for (const Demonstration& truth : truths(options, 30)) {
     ASSERT_FALSE(truth.labels.empty());
@@ -311,7 +311,7 @@ TEST(Synthesize, PeopleAreAsTallAsAsked) {
   double sum = 0, squares = 0;
   constexpr std::size_t kPeople = 200;
   for (std::size_t i = 0; i < kPeople; ++i) {
-    options.movements.per_recording = {1, 1};
+    options.movements.movements_per_recording = {1, 1};
     const double length = *synthesize(options, kTruthSeed, i).truth.upper_arm;
     EXPECT_GT(length, 0.311 - 1.645 * 0.017 - 1e-6);
     EXPECT_LT(length, 0.335 + 1.645 * 0.018 + 1e-6);

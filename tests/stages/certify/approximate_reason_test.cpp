@@ -21,7 +21,7 @@ Goals goals_with(std::size_t out) {
 
 Certificate off_by(double error_m) {
   Certificate certificate;
-  certificate.position_error_max = error_m;
+  certificate.tip_error_max = error_m;
   return certificate;
 }
 
@@ -30,19 +30,19 @@ TEST(OnlyNear, ByTheShareOfSeenGoalsThatAreOutOfReach) {
   EXPECT_EQ(approximate_reason(goals_with(5), half, off_by(0.004)), "");
   EXPECT_THAT(
       approximate_reason(goals_with(6), half, off_by(0.004)),
-      testing::StartsWith("approximate: 6 of 10 fingertip goals are out of reach, 50 % allowed"));
+      testing::StartsWith("approximate: 6 of 10 fingertip goals are out of reach (allowed: 50 %)"));
   Tolerances nearly_all;
-  nearly_all.out_of_reach_share = 0.99;
+  nearly_all.max_unreachable_share = 0.99;
   EXPECT_EQ(approximate_reason(goals_with(9), nearly_all, off_by(0.004)), "");
   EXPECT_NE(approximate_reason(goals_with(10), nearly_all, off_by(0.004)), "");
 }
 
 TEST(OnlyNear, ByTheFarthestTipWhateverTrackingAllows) {
   Tolerances wide;
-  wide.tracking = wide.tracking_grasp = 10;
+  wide.tracking_tolerance = wide.tracking_tolerance_grasp = 10;
   EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(0.05)), "");
   EXPECT_THAT(approximate_reason(goals_with(0), wide, off_by(0.0512)),
-              testing::HasSubstr("up to 51.2 mm from their goals, 50.0 allowed"));
+              testing::HasSubstr("up to 51.2 mm from their goals (allowed: 50.0 mm)"));
   EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(kUnknown)), "")
       << "no goal, no distance";
 }

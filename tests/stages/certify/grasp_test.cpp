@@ -63,8 +63,8 @@ TEST(Grasp, InTheObjectsFrame) {
   EXPECT_TRUE(grasp.object_from_palm.linear().isApprox(
       Eigen::AngleAxisd(shoulder - M_PI / 2, Vec3::UnitZ()).toRotationMatrix(), 1e-12));
   EXPECT_LT((grasp.base_from_object.translation() - Vec3(0.5, 0.2, 0)).norm(), 1e-15);
-  EXPECT_NEAR(grasp.hand_posture[0], shoulder, 1e-12);
-  EXPECT_NEAR(grasp.hand_posture[2], index, 1e-12);
+  EXPECT_NEAR(grasp.grasp_posture[0], shoulder, 1e-12);
+  EXPECT_NEAR(grasp.grasp_posture[2], index, 1e-12);
 }
 
 TEST(Grasp, AMovingObjectCountsWhereItIsThen) {

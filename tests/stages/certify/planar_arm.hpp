@@ -21,10 +21,10 @@ inline RobotModel planar_arm() {
                   {"forearm", 0, at(0.3, 0), Vec3::UnitZ(), 1, 1, 0},
                   {"index", 1, at(0.25, 0), Vec3::UnitZ(), 2, 1, 0}};
   robot.tips = {{"thumb_tip", 1, at(0.25, 0.04), 0}, {"index_tip", 2, at(0, -0.04), 1}};
-  robot.centres = {{1, "arm"}, {2, "index"}};
+  robot.joint_centres = {{1, "arm"}, {2, "index"}};
   robot.capsules = {{"upper_arm", 0, Vec3(0.05, 0, 0), Vec3(0.2, 0, 0), 0.03, false},
                     {"forearm", 1, Vec3(0.05, 0, 0), Vec3(0.25, 0, 0), 0.03, false}};
-  robot.allowed_pairs = {{0, 1}};
+  robot.allowed_collision_pairs = {{0, 1}};
   robot.shoulder_frame = 0;
   robot.palm_frame = 1;
   return robot;

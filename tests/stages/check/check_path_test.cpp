@@ -78,11 +78,11 @@ void expect_finding(const Finding& found, Cause cause, const std::string& first,
                     const std::string& second, int begin, int end, double depth,
                     double tolerance = 1e-12) {
   EXPECT_EQ(found.cause, cause);
-  EXPECT_EQ(found.first, first);
-  EXPECT_EQ(found.second, second);
+  EXPECT_EQ(found.subject, first);
+  EXPECT_EQ(found.other_body, second);
   EXPECT_NEAR(found.begin_s, kStep_s * begin, 1e-12);
   EXPECT_NEAR(found.end_s, kStep_s * end, 1e-12);
-  EXPECT_NEAR(found.depth, depth, tolerance);
+  EXPECT_NEAR(found.excess, depth, tolerance);
 }
 
 TEST_F(CheckPath, FreePathHasNoFindings) {
@@ -114,7 +114,7 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
   const double touching = std::acos((0.101 * 0.101 - 0.25 - 0.558 * 0.558) / 0.558);
   const int first = 10 + static_cast<int>(touching / 0.1),
             last = 40 + static_cast<int>((3 - touching) / 0.05) + 1;
-  for (const Engine engine : {Engine::closed, Engine::fcl}) {
+  for (const Engine engine : {Engine::analytic, Engine::fcl}) {
     options.engine = engine;
     cup.attached_frame = "";
     scene.objects = {cup};
@@ -124,7 +124,8 @@ TEST_F(CheckPath, WhatIsCarriedMeetsTheArm) {
     const auto found = findings(path_of(positions));
     ASSERT_EQ(found.size(), 1u);
     const double nearest = std::abs(std::polar(0.558, 3.0) + 0.5);
-    expect_finding(found[0], Cause::object, "column", "cup", first, last, 0.101 - nearest, 1e-9);
+    expect_finding(found[0], Cause::object_collision, "column", "cup", first, last, 0.101 - nearest,
+                   1e-9);
     // Put down before: the hand goes on without it.
     cup.release_s = 0.3;
     scene.objects = {cup};
@@ -137,18 +138,18 @@ TEST_F(CheckPath, JointsBeyondTheirLimitsAreJoined) {
   const auto found = findings(path_of({{0, 0.1}, {3.01, 0.1}, {3.02, 0.1}, {3, 0.1}, {-3.5, 0.1}}));
   std::vector<Finding> limits;
   for (const Finding& f : found) {
-    if (f.cause == Cause::limit) limits.push_back(f);
+    if (f.cause == Cause::joint_limit) limits.push_back(f);
   }
   ASSERT_EQ(limits.size(), 2u);
-  expect_finding(limits[0], Cause::limit, "shoulder", "", 1, 2, 0.02);
-  expect_finding(limits[1], Cause::limit, "shoulder", "", 4, 4, 0.5);
+  expect_finding(limits[0], Cause::joint_limit, "shoulder", "", 1, 2, 0.02);
+  expect_finding(limits[1], Cause::joint_limit, "shoulder", "", 4, 4, 0.5);
   EXPECT_TRUE(findings(path_of({{0, 3 + 1e-10}})).empty());
 }
 
 TEST_F(CheckPath, AnAngleThatIsNoNumberIsNotFree) {
   const auto found = findings(path_of({{0, 0}, {std::nan(""), 0}, {0, 0}}));
   ASSERT_FALSE(found.empty());
-  EXPECT_THAT(found, testing::Contains(testing::Field(&Finding::cause, Cause::limit)));
+  EXPECT_THAT(found, testing::Contains(testing::Field(&Finding::cause, Cause::joint_limit)));
 }
 
 TEST_F(CheckPath, TrackingIsJudgedByPhaseAndSkipsUnseenGoals) {
@@ -190,35 +191,35 @@ TEST_F(CheckPath, AJumpIsAnIsolatedStep) {
   // Fast but smooth: no jump.
   positions.clear();
   for (int k = 0; k < 20; ++k) positions.push_back({0.5 - 0.5 * std::cos(0.15 * k), 0});
-  options.jump_step = 0.03;
+  options.jump_threshold = 0.03;
   EXPECT_TRUE(findings(path_of(positions)).empty());
 }
 
 TEST_F(CheckPath, FindsWhatLiesBetweenSamples) {
   scene.objects = {post("pen", tip_of(0.05, 0) * 0.8, 0.0005),
                    post("table", tip_of(0.15, 0) * 0.8, 0.0005)};
-  options.jump_step = 1;
+  options.jump_threshold = 1;
   const JointPath path = path_of({{0, 0}, {0.1, 0}, {0.2, 0}, {0.2, 0.01}});
-  for (const Engine engine : {Engine::closed, Engine::fcl}) {
+  for (const Engine engine : {Engine::analytic, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path);
     ASSERT_EQ(found.size(), 2u) << name_of(engine);
-    expect_finding(found[0], Cause::object, "forearm", "pen", 0, 1, 0.006, 0.0056);
+    expect_finding(found[0], Cause::object_collision, "forearm", "pen", 0, 1, 0.006, 0.0056);
     expect_finding(found[1], Cause::table, "forearm", "table", 1, 2, 0.006, 0.0056);
   }
 }
 
 TEST_F(CheckPath, FindsTheRobotItself) {
-  options.jump_step = 1;
+  options.jump_threshold = 1;
   robot.upper[1] = 3.2;
   std::vector<Eigen::Vector2d> positions;
   for (int k = 0; k <= 20; ++k) positions.push_back({0, M_PI * std::min(k, 20 - k) / 10});
-  for (const Engine engine : {Engine::closed, Engine::fcl}) {
+  for (const Engine engine : {Engine::analytic, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path_of(positions));
     ASSERT_EQ(found.size(), 1u) << name_of(engine);
     // Near the fold the forearm's end lies in the column: free again within one sample (0.16 m).
-    expect_finding(found[0], Cause::self, "column", "forearm", 9, 11, 0.031);
+    expect_finding(found[0], Cause::self_collision, "column", "forearm", 9, 11, 0.031);
   }
 }
 
@@ -229,17 +230,17 @@ TEST_F(CheckPath, ContactIsAllowedFromGraspToRelease) {
                      {PhaseKind::grasp, 0.02, 0.04, 1},
                      {PhaseKind::return_phase, 0.04, 1, 1}};
   const std::vector<Eigen::Vector2d> still(8, Eigen::Vector2d::Zero());  // 2 mm in the cup
-  for (const Engine engine : {Engine::closed, Engine::fcl}) {
+  for (const Engine engine : {Engine::analytic, Engine::fcl}) {
     options.engine = engine;
     const auto found = findings(path_of(still));
     ASSERT_EQ(found.size(), 2u) << name_of(engine);
-    expect_finding(found[0], Cause::object, "forearm", "cup", 0, 2, 0.003);
-    expect_finding(found[1], Cause::object, "forearm", "cup", 4, 7, 0.003);
+    expect_finding(found[0], Cause::object_collision, "forearm", "cup", 0, 2, 0.003);
+    expect_finding(found[1], Cause::object_collision, "forearm", "cup", 4, 7, 0.003);
   }
-  options.tolerances.contact_depth = 0.0015;
+  options.tolerances.max_penetration = 0.0015;
   const auto deep = findings(path_of(still));
   ASSERT_EQ(deep.size(), 1u);
-  expect_finding(deep[0], Cause::object, "forearm", "cup", 0, 7, 0.003);
+  expect_finding(deep[0], Cause::object_collision, "forearm", "cup", 0, 7, 0.003);
 }
 
 TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
@@ -252,15 +253,15 @@ TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
     causes.push_back(found[k].cause);
     EXPECT_LE(found[k == 0 ? 0 : k - 1].begin_s, found[k].begin_s);
   }
-  EXPECT_THAT(causes, testing::ElementsAre(Cause::object, Cause::tracking, Cause::jump, Cause::self,
-                                           Cause::limit));
+  EXPECT_THAT(causes, testing::ElementsAre(Cause::object_collision, Cause::tracking, Cause::jump,
+                                           Cause::self_collision, Cause::joint_limit));
 }
 
 TEST(CheckOptions, SaysWhatIsWrong) {
   CheckOptions options;
   EXPECT_EQ(validation_error(options), "");
-  options.tolerances.margin = -1;
-  EXPECT_EQ(validation_error(options), "margin must not be negative");
+  options.tolerances.required_clearance = -1;
+  EXPECT_EQ(validation_error(options), "required_clearance must not be negative");
 }
 
 }  // namespace

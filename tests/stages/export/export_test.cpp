@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +90,9 @@ TEST(Robomimic, HoldsOutATenthEvenlySpread) {
 TEST(Robomimic, AJointWithoutLimitsCannotBeScaled) {
   RobotModel robot = one_joint();
   robot.upper[0] = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(robomimic_header(robot, 500), InputError);
+  EXPECT_THAT([&] { robomimic_header(robot, 500); },
+              testing::ThrowsMessage<InputError>(
+                  testing::StrEq("joint a \"b\", c has no limits to scale actions by")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "stages/export/resample.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -130,8 +131,17 @@ TEST(JointGroup, ArmAndHandAreAll) {
   EXPECT_EQ(joint_group(wristed, "arm").joints, std::vector<int>{0});
   EXPECT_EQ(joint_group(wristed, "hand").joints, (std::vector<int>{1, 2}));
   EXPECT_EQ(joint_group(robot, "mine=shoulder..finger").name, "mine");
-  EXPECT_THROW(joint_group(robot, "mine=finger..shoulder"), InputError);
-  EXPECT_THROW(joint_group(robot, "leg"), InputError);
+  const auto error_of = [&](const std::string& asked) -> std::string {
+    try {
+      joint_group(robot, asked);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_of("mine=finger..shoulder"),
+            "--group mine=finger..shoulder: 'finger' comes after 'shoulder': swap them");
+  EXPECT_THAT(error_of("leg"), testing::StartsWith("--group leg: must be "));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct RodBeforeTheHand {
     movement.end_s = 1;
     movement.phases = {{PhaseKind::reach, 0, 0.5}, {PhaseKind::grasp, 0.5, 1}};
     Tolerances tolerances;
-    tolerances.contact_depth = 0.001;
+    tolerances.max_penetration = 0.001;
     world = collision::make_world(robot, scene, movement, tolerances);
   }
 };
@@ -72,9 +72,9 @@ TEST(CloseFingers, UntilThePadTouches) {
   EXPECT_TRUE((q.array() >= of.robot.lower.array()).all());
   EXPECT_TRUE((q.array() <= of.robot.upper.array()).all());
   for (const PadContact& contact : measure_contacts(of.world, touches, q, 0.6)) {
-    EXPECT_GE(contact.gap, 0) << contact.tip;
-    EXPECT_LT(contact.gap, 2e-5) << contact.tip;
-    EXPECT_LT((contact.point - contact.asked).norm(), 1e-4) << contact.tip;
+    EXPECT_GE(contact.signed_distance, 0) << contact.tip;
+    EXPECT_LT(contact.signed_distance, 2e-5) << contact.tip;
+    EXPECT_LT((contact.point - contact.desired_point).norm(), 1e-4) << contact.tip;
   }
 }
 
@@ -121,8 +121,8 @@ TEST(CloseFingers, GoalsBeginWhereTheFingerIsAndEndOnTheObject) {
       recorded_pose(of.scene.objects[0], 0.5) * closed.closings[0].contact.centre;
   EXPECT_LT((goals.tip_position(50, 2) - on_target).norm(), 1e-9);
   EXPECT_LT((goals.tip_position(49, 2) - on_target).norm(), 1e-3) << "without a jump";
-  EXPECT_EQ(goals.pad_share(60, 2), 1);
-  EXPECT_THAT(goals.closed, ElementsAre(0, 0, 1, 0, 0));
+  EXPECT_EQ(goals.tip_to_pad_share(60, 2), 1);
+  EXPECT_THAT(goals.auto_closed, ElementsAre(0, 0, 1, 0, 0));
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ TEST(AimPads, TakeGoalsFromTipsToPadsOverThePreshape) {
   const Goals before = held.goals;
   set_pad_goals(reference(), held.touches(), held.movement, held.target, 0.01, held.goals);
   for (std::size_t f = 0; f < before.frames(); ++f) {
-    const double t = before.time[f], share = held.goals.pad_share(f, 0);
+    const double t = before.time[f], share = held.goals.tip_to_pad_share(f, 0);
     if (t <= 0.4) {
       EXPECT_EQ(share, 0);
       EXPECT_EQ(held.goals.tip_position(f, 0), before.tip_position(f, 0));
@@ -158,10 +158,10 @@ TEST(AimPads, TakeGoalsFromTipsToPadsOverThePreshape) {
       EXPECT_EQ(share, 1);
       EXPECT_LT((held.goals.tip_position(f, 0) - held.in_base({-0.041, 0, 0.01})).norm(), 1e-12);
     }
-    EXPECT_EQ(held.goals.pad_share(f, 2), 0) << "the middle finger did not touch";
-    EXPECT_GE(share, held.goals.pad_share(f > 0 ? f - 1 : 0, 0));
+    EXPECT_EQ(held.goals.tip_to_pad_share(f, 2), 0) << "the middle finger did not touch";
+    EXPECT_GE(share, held.goals.tip_to_pad_share(f > 0 ? f - 1 : 0, 0));
   }
-  EXPECT_NEAR(held.goals.pad_share(70, 0), 0.5, 1e-9) << "half-way through the preshape";
+  EXPECT_NEAR(held.goals.tip_to_pad_share(70, 0), 0.5, 1e-9) << "half-way through the preshape";
 }
 
 TEST(AimPads, KeepGoalsOutsideTheTargetByTheApertureOnTheirWay) {
@@ -173,7 +173,7 @@ TEST(AimPads, KeepGoalsOutsideTheTargetByTheApertureOnTheirWay) {
   for (std::size_t f = 50; f < 100; ++f) {
     const Vec3 at = held.turn.inverse() * (held.goals.tip_position(f, 1) - held.place);
     const double apart = at.head<2>().norm() - 0.03;
-    const double share = held.goals.pad_share(f, 1);
+    const double share = held.goals.tip_to_pad_share(f, 1);
     EXPECT_GE(apart, std::sqrt(share) * 0.011 + 4 * share * (1 - share) * 0.01 - 1e-9)
         << held.goals.time[f];
   }
@@ -218,7 +218,8 @@ TEST(ClosedShare, FallsAgainAfterTheRelease) {
                      {PhaseKind::transport, 1.2, 3},
                      {PhaseKind::return_phase, 3, 5}};
   const HoldInterval when = hold_interval(movement);
-  EXPECT_EQ(closing_progress(when, 1 - kReleaseDuration_s), 0) << "no preshape: as long as letting go";
+  EXPECT_EQ(closing_progress(when, 1 - kReleaseDuration_s), 0)
+      << "no preshape: as long as letting go";
   EXPECT_EQ(closing_progress(when, 1), 1);
   EXPECT_EQ(closing_progress(when, 3), 1);
   EXPECT_NEAR(closing_progress(when, 3 + kReleaseDuration_s / 2), 0.5, 1e-12);

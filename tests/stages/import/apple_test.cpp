@@ -72,28 +72,30 @@ TEST_F(AvpJsonl, TheWristCarriesTheFingers) {
   EXPECT_LT((joint_in(d, "right_index_tip", 0) - Vec3(0.02, 0.38, 1.0)).norm(), 1e-12);
   EXPECT_LT((joint_in(d, "head", 1) - Vec3(0, 0, 1.6)).norm(), 1e-12);
   EXPECT_FALSE(is_known(joint_in(d, "right_wrist", 1)));
-  EXPECT_THAT(d.reports, Contains("the left hand was never seen"));
-  EXPECT_THAT(d.reports, Contains("the right hand was seen in 1 of 2 frames"));
+  EXPECT_THAT(d.import_notes, Contains("the left hand is never visible"));
+  EXPECT_THAT(d.import_notes, Contains("the right hand is visible in 1 of 2 frames"));
 }
 
 TEST_F(AvpJsonl, ErrorsSayWhere) {
   const std::string good = line(0.5, ", \"rightHand\": " + hand({0.2, 1.0, -0.4}));
   const auto error = [&](const std::string& text) { return error_of(tracking(text)); };
-  EXPECT_EQ(error(good + good), "tracking.jsonl:2: timestamp: does not follow the row before");
+  EXPECT_EQ(error(good + good),
+            "tracking.jsonl:2: timestamp: must be greater than in the previous row");
   std::string text = good;
   text.replace(text.find("[1,0,0,0"), 8, "[2,0,0,0");
-  EXPECT_EQ(error(text), "tracking.jsonl:1: headMatrix: is no rigid motion, column by column");
+  EXPECT_EQ(error(text),
+            "tracking.jsonl:1: headMatrix: is not a rigid transform in column-major order");
   text = good;
   text.replace(text.find("1]"), 2, "1,1]");
-  EXPECT_EQ(error(text), "tracking.jsonl:1: headMatrix: must hold 16 numbers, not 17");
+  EXPECT_EQ(error(text), "tracking.jsonl:1: headMatrix: must have 16 numbers, not 17");
   text = good;
   text.replace(text.find("\"timestamp\": 0.5"), 16, "\"timestamp\": \"x\"");
-  EXPECT_EQ(error(text), "tracking.jsonl:1: timestamp: must hold finite numbers alone");
+  EXPECT_EQ(error(text), "tracking.jsonl:1: timestamp: must contain only finite numbers");
   for (std::size_t length = 100; length < good.size() - 2; length += 101) {
     EXPECT_THAT(error(good + good.substr(0, length)), HasSubstr("tracking.jsonl:2: ")) << length;
   }
   EXPECT_THAT(error(line(0, ", \"leftHand\": " + hand({0, 0, 0}, 0.05))),
-              HasSubstr("left hand: its fingers curl as those of a right hand do"));
+              HasSubstr("left hand: its fingers curl like those of a right hand"));
 }
 
 class EgodexHdf5 : public RecordingFolder {
@@ -150,8 +152,8 @@ TEST_F(EgodexHdf5, AnArmAndAHandInTheWorld) {
   EXPECT_TRUE(is_known(joint_in(d, "right_little_tip", 2)));
   EXPECT_THAT(d.streams.skeleton->names, Contains("head"));
   EXPECT_THAT(d.streams.skeleton->names, Contains("pelvis"));
-  EXPECT_THAT(d.reports, Contains("task: fold"));
-  EXPECT_THAT(d.reports, Contains("the left hand was never seen"));
+  EXPECT_THAT(d.import_notes, Contains("task: fold"));
+  EXPECT_THAT(d.import_notes, Contains("the left hand is never visible"));
 }
 
 TEST_F(EgodexHdf5, ErrorsSayWhere) {

@@ -51,28 +51,29 @@ TEST_F(AriaCsv, TheDeviceCarriesTheHands) {
   EXPECT_FALSE(is_known(right_wrist(d, 4)));
   EXPECT_EQ(d.streams.skeleton->names[0], "head");
   EXPECT_NEAR(d.streams.skeleton->time[4], 0.126, 1e-12);
-  EXPECT_THAT(d.reports, Contains("time 0 is 0.025 s of the device's clock"));
+  EXPECT_THAT(d.import_notes, Contains("time 0 is 0.025 s of the device clock"));
   EXPECT_DOUBLE_EQ(d.streams.skeleton->confidence(0, 1), 0.5);
   EXPECT_DOUBLE_EQ(d.streams.skeleton->confidence(1, 1), 0);
-  EXPECT_THAT(d.reports, Contains("the left hand was never seen"));
-  EXPECT_THAT(d.reports, Contains("the right hand was seen in 2 of 5 frames"));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("1 of 5 rows are outside of the device's trajectory")));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("(graph_uid): 1 of 5 rows are in another world")));
+  EXPECT_THAT(d.import_notes, Contains("the left hand is never visible"));
+  EXPECT_THAT(d.import_notes, Contains("the right hand is visible in 2 of 5 frames"));
+  EXPECT_THAT(d.import_notes,
+              Contains(HasSubstr("1 of 5 rows are outside of the device trajectory")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("(graph_uid): 1 of 5 rows are in another map")));
 }
 
 TEST_F(AriaCsv, ErrorsSayWhere) {
   const std::string row = "25000,-1,0,0,0,0.5,1,0,0\n";
   const auto error = [&](const std::string& text) { return error_of(write(text, "h.csv")); };
   EXPECT_EQ(error(kWrists + row),
-            "h.csv: no closed_loop_trajectory.csv lies beside the file or in a folder slam/: where "
-            "the wrists were in the world is not known");
+            "h.csv: no closed_loop_trajectory.csv beside the file or in a folder slam/: the "
+            "positions of the wrists in the world are unknown");
   std::string lacking = kWrists;
   lacking.replace(lacking.find("tz_left"), 7, "tq_left");
   EXPECT_EQ(error(lacking + row), "h.csv:1: tz_left_wrist_device: the column is missing");
   EXPECT_EQ(error(kWrists + row + row),
-            "h.csv:3: tracking_timestamp_us: does not follow the row before");
+            "h.csv:3: tracking_timestamp_us: must be greater than in the previous row");
   EXPECT_EQ(error(kWrists + std::string("25000,-1,0,0,0,0.5,1,0\n")),
-            "h.csv:2: the row has 8 cells, the header 9");
+            "h.csv:2: the row has 8 cells, the header has 9");
   EXPECT_EQ(error(kWrists + std::string("25000,-1,0,0,0,0.5,1,0,x\n")),
             "h.csv:2: tz_right_wrist_device: must be a number, not 'x'");
   EXPECT_EQ(error(kWrists), "h.csv:1: the file ends before the first row");
@@ -83,9 +84,10 @@ TEST_F(AriaCsv, ErrorsSayWhere) {
   EXPECT_THAT(with(kTrajectory + device("a", 25000, 0, "9.81,0,0")),
               HasSubstr("closed_loop_trajectory.csv: axes: gravity points along (1, 0, 0)"));
   EXPECT_EQ(with(kTrajectory + device("a", 9, 0, kDown) + device("a", 3, 0, kDown)),
-            "closed_loop_trajectory.csv:3: tracking_timestamp_us: does not follow the row before");
+            "closed_loop_trajectory.csv:3: tracking_timestamp_us: must be greater than in the "
+            "previous row");
   EXPECT_EQ(with(kTrajectory + std::string("a,0,0,0,0,0,0,0,6,8,0,0,-9.81\n")),
-            "closed_loop_trajectory.csv:2: qx_world_device: is no quaternion of unit length");
+            "closed_loop_trajectory.csv:2: qx_world_device: is not a quaternion of unit length");
   EXPECT_EQ(with("graph_uid,x\na,1\n"),
             "closed_loop_trajectory.csv:1: tracking_timestamp_us: the column is missing");
 }
@@ -102,8 +104,8 @@ TEST_F(AriaCsv, TheShippedWristStandsWhereItDid) {
     EXPECT_LT((right_wrist(d, row) - Vec3(-1.153, -3.949, -0.700)).norm(), 0.0015);
     EXPECT_LT((body.position(row, 0) - Vec3(-1.339, -4.219, -0.462)).norm(), 0.0015);
     EXPECT_NEAR(body.confidence(row, 1), 0.996126, 1e-9);
-    EXPECT_THAT(d.reports, Contains("the left hand was never seen"));
-    EXPECT_THAT(d.reports, Contains("the right hand was seen in 6 of 122 frames"));
+    EXPECT_THAT(d.import_notes, Contains("the left hand is never visible"));
+    EXPECT_THAT(d.import_notes, Contains("the right hand is visible in 6 of 122 frames"));
   }
 }
 
@@ -113,7 +115,7 @@ TEST_F(AriaCsv, WithoutATrajectoryTheHandHasAShape) {
     const Demonstration d = read(kAria / "other" / file);
     const HandStream& hand = *d.streams.hand;
     EXPECT_EQ(hand.kind, HandKind::keypoints);
-    EXPECT_THAT(d.reports, Contains(HasSubstr("only the shape of the right hand is taken")));
+    EXPECT_THAT(d.import_notes, Contains(HasSubstr("only the shape of the right hand is used")));
     bool any = false;
     for (std::size_t i = 0; i < hand.time.size(); ++i) {
       EXPECT_FALSE(is_known(hand.position(i, 1)));  // the thumb's root is not tracked

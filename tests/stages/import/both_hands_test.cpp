@@ -70,7 +70,7 @@ TEST(BothHands, OfARecordingOfOneHandAreAnErrorButInAFolderThatHand) {
     read(both(door));
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("hand: both, but nothing in it is called as the right"));
+    EXPECT_THAT(error.what(), HasSubstr("hand: is both, but no point name belongs to the right"));
   }
   const fs::path folder = fs::path(testing::TempDir()) / "both_hands_folder";
   fs::create_directories(folder);

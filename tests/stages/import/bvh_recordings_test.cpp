@@ -81,8 +81,8 @@ TEST(BvhRecordings, NativeCmu) {
   ASSERT_EQ(walk.time.size(), 523u);  // of 524; the first is a T-pose
   EXPECT_NEAR(walk.time.front(), 0.0083333, 1e-12);
   EXPECT_NEAR(walk.time.back(), 523 * 0.0083333, 1e-9);
-  EXPECT_THAT(all[0].reports, testing::Contains(HasSubstr("lines end in different ways")));
-  EXPECT_THAT(all[0].reports, testing::Contains(HasSubstr("the first frame was left out")));
+  EXPECT_THAT(all[0].import_notes, testing::Contains(HasSubstr("mixed line endings")));
+  EXPECT_THAT(all[0].import_notes, testing::Contains(HasSubstr("first frame skipped")));
   expect_joints(
       facing_y_first(all[0]),
       {{0, "right_elbow", {0.298520, -1.462524, 0.877481}, {-0.070272, -0.401181, 0.913299}},
@@ -100,7 +100,7 @@ TEST(BvhRecordings, FiveFingers) {
   EXPECT_EQ(body.names.size(), 73u);
   ASSERT_EQ(body.time.size(), 100u);
   EXPECT_NEAR(body.time.back(), 99 * 0.008333, 1e-9);
-  EXPECT_TRUE(all[0].reports.empty());
+  EXPECT_TRUE(all[0].import_notes.empty());
   expect_joints(
       all[0],
       {{0, "right_elbow", {0.260516, -0.060566, 1.069776}, {0.026028, -0.414162, 0.909831}},

@@ -112,7 +112,7 @@ TEST_F(Bvh, TakesChannelsInAnyOrderAndPositionsOnAnyJoint) {
   EXPECT_LT((b.position(0, 0) - Vec3(0.1, 0.8, 0.2)).norm(), 1e-15);
   EXPECT_LT((b.position(0, 1) - Vec3(-0.4, 0.8, 0.2)).norm(), 1e-15);  // Rz(90) (0, 5, 0)
   EXPECT_LT((b.position(1, 1) - Vec3(0.1, 0.5, 0.2)).norm(), 1e-15);
-  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("OFFSET (7 8 9), which was not added")));
+  EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr("OFFSET (7 8 9), which is not added")));
 }
 
 TEST_F(Bvh, FindsTheAxesAndTurnsTheSubjectToFaceY) {
@@ -130,37 +130,36 @@ TEST_F(Bvh, FindsTheAxesAndTurnsTheSubjectToFaceY) {
   const Vec3 forearm =
       b.position(0, joint_of(b, "right_wrist")) - b.position(0, joint_of(b, "right_elbow"));
   EXPECT_LT((forearm - Vec3(0, 0.05, -0.25)).norm(), 1e-14);
-  EXPECT_THAT(d.reports,
-              testing::Contains(HasSubstr("'-x z y' point right, forward and up at rest")));
-  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("faces 90 degrees away")));
+  EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr("'-x z y' (right, forward, up)")));
+  EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr("faces 90 degrees away")));
 }
 
 TEST_F(Bvh, AsksForWhatItCannotTell) {
   const auto file = [&](const std::string& row) { return write(body("XYZ", {row}), "ask.bvh"); };
   EXPECT_EQ(error_of(file(kRest)),
-            "ask.bvh: unit: the file does not say it; give --unit or `unit:` such as mm");
+            "ask.bvh: unit: not in the file; give --unit or `unit:`, such as mm");
   EXPECT_THAT(error_of(file(kRest), {"", "m", std::nullopt}),
-              HasSubstr("ask.bvh: unit: cannot be right"));
-  EXPECT_THAT(error_of(file(kRest), {"", "0.01", std::nullopt}),
-              HasSubstr("unit: cannot be right"));
+              HasSubstr("ask.bvh: unit: implausible"));
+  EXPECT_THAT(error_of(file(kRest), {"", "0.01", std::nullopt}), HasSubstr("unit: implausible"));
   // Recorded lying, though the rest skeleton stands.
   EXPECT_THAT(
       error_of(file("0 0 0  90 0 0  0 0 0  0 0 0  0 0 0  0 0 0"), {"", "0.1", std::nullopt}),
-      HasSubstr("stands along y, but what was recorded along z; give --axes or `axes:`"));
+      HasSubstr("points along y in the rest skeleton, but along z in the recording; give --axes or "
+                "`axes:`"));
   // Leaning to the side so far that the shoulders stand above each other.
   EXPECT_THAT(
       error_of(file("0 0 0  0 0 46  0 0 0  0 0 0  0 0 0  0 0 0"), {"", "0.1", std::nullopt}),
-      HasSubstr("stands along y, but what was recorded along -x"));
+      HasSubstr("points along y in the rest skeleton, but along -x in the recording"));
   std::string askew = body("XYZ", {kRest});
   askew.replace(askew.find("OFFSET -2 5 0"), 13, "OFFSET -2 5 9");
   EXPECT_THAT(error_of(write(askew, "ask.bvh"), {"", "0.1", std::nullopt}),
-              HasSubstr("the trunk (root to shoulders) of its rest skeleton is not within 15"));
+              HasSubstr("the trunk (root to shoulders) is not within 15"));
   std::string unnamed = body("XYZ", {kRest});
   unnamed.replace(unnamed.find("left_shoulder"), 13, "Schulter_links");
   EXPECT_THAT(error_of(write(unnamed, "ask.bvh"), {"", "0.1", std::nullopt}),
-              HasSubstr("no names map two of its joints to left_shoulder and right_shoulder"));
+              HasSubstr("no joints are named left_shoulder and right_shoulder"));
   EXPECT_THAT(error_of(write(unnamed, "ask.bvh"), {"x x y", "0.1", std::nullopt}),
-              HasSubstr("axes: needs each of x, y and z once"));
+              HasSubstr("axes: must contain each of x, y and z once"));
 }
 
 TEST_F(Bvh, RowsCountNotWhatTheHeaderSays) {
@@ -168,8 +167,8 @@ TEST_F(Bvh, RowsCountNotWhatTheHeaderSays) {
   text.replace(text.find("Frames: 3"), 9, "Frames: 7");
   const Demonstration fewer = read(write(text, "rows.bvh"), kSkeleton);
   EXPECT_EQ(fewer.streams.skeleton->time.size(), 3u);
-  EXPECT_THAT(fewer.reports,
-              testing::Contains("'Frames:' says 7, the file holds 3: those were taken"));
+  EXPECT_THAT(fewer.import_notes,
+              testing::Contains("'Frames:' is 7, but the file has 3 frames; all are used"));
   text.replace(text.find("Frames: 7"), 9, "Frames: 1");
   EXPECT_EQ(read(write(text, "rows.bvh"), kSkeleton).streams.skeleton->time.size(), 3u);
 }
@@ -182,7 +181,7 @@ TEST_F(Bvh, AFirstFrameThatIsOnlyAPoseIsLeftOut) {
   };
   const Demonstration d = frames({arm_up, kRest, slow, kRest});
   EXPECT_THAT(d.streams.skeleton->time, ElementsAre(0.01, 0.02, 0.03));
-  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("first frame was left out")));
+  EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr("first frame skipped")));
   const BodyStream& b = *d.streams.skeleton;
   EXPECT_LT((b.position(0, joint_of(b, "right_elbow")) - Vec3(-0.2, 0.2, 0)).norm(), 1e-15);
   // A movement that is as fast throughout is none.
@@ -195,7 +194,7 @@ TEST_F(Bvh, ARateMayBeGiven) {
   given.rate_hz = 50;
   const Demonstration d = read(write(body("XYZ", {kRest, kRest}), "rate.bvh"), given);
   EXPECT_DOUBLE_EQ(d.streams.skeleton->time[1], 0.02);
-  EXPECT_THAT(d.reports, testing::Contains(HasSubstr("50 was given and used")));
+  EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr("the given 50 is used")));
   const auto broken = write(body("XYZ", {kRest, kRest}, "0"), "rate.bvh");
   EXPECT_DOUBLE_EQ(read(broken, given).streams.skeleton->time[1], 0.02);
 }
@@ -215,25 +214,25 @@ TEST_F(Bvh, BrokenFilesAreNamedWithTheirLine) {
   };
   EXPECT_THAT(error_of(write("", "x.bvh"), kSkeleton),
               HasSubstr("x.bvh:1: format: not recognised"));
-  EXPECT_EQ(error_of(write("HIERARCHY", "x.bvh"), kSkeleton), at(1, "ROOT: expected, not ''"));
-  EXPECT_EQ(with("ROOT hips", "JOINT hips"), at(2, "ROOT: expected, not 'JOINT'"));
+  EXPECT_EQ(error_of(write("HIERARCHY", "x.bvh"), kSkeleton), at(1, "ROOT: expected here, not ''"));
+  EXPECT_EQ(with("ROOT hips", "JOINT hips"), at(2, "ROOT: expected here, not 'JOINT'"));
   EXPECT_EQ(with("ROOT hips", "ROOT "), at(2, "a joint has no name"));
-  EXPECT_EQ(with("{", "OFFSET"), at(3, "{: expected, not 'OFFSET'"));
+  EXPECT_EQ(with("{", "OFFSET"), at(3, "{: expected here, not 'OFFSET'"));
   EXPECT_EQ(with("OFFSET 2 5 0", "OFFSET 2 5"), at(9, "OFFSET: must be a number, not 'CHANNELS'"));
   EXPECT_EQ(with("OFFSET 2 5 0", "OFFSET nan 5 0"), at(8, "OFFSET: must be a number, not 'nan'"));
   EXPECT_EQ(with("OFFSET 2 5 0\n", ""), at(13, "left_shoulder: has no OFFSET"));
   EXPECT_EQ(with("CHANNELS 3", "CHANNELS 7"),
             at(9, "CHANNELS: must be a whole number from 0 to 6"));
   EXPECT_EQ(with("CHANNELS 3", "CHANNELS 2"),
-            at(9, "left_shoulder: 'Zrotation' cannot stand here"));
-  EXPECT_EQ(with("CHANNELS 3", "CHANNELS 4"), at(10, "CHANNELS: 'End' is no channel"));
+            at(9, "left_shoulder: 'Zrotation' is not allowed here"));
+  EXPECT_EQ(with("CHANNELS 3", "CHANNELS 4"), at(10, "CHANNELS: 'End' is not a channel"));
   EXPECT_EQ(with("3 Xrotation Yrotation", "3 Xrotation xrotation"),
-            at(9, "CHANNELS: xrotation stands twice"));
+            at(9, "CHANNELS: xrotation appears twice"));
   EXPECT_EQ(with("JOINT right_elbow", "JOINT left_shoulder"),
-            at(19, "left_shoulder: the joint stands twice"));
+            at(19, "left_shoulder: the joint appears twice"));
   EXPECT_EQ(with("JOINT right_elbow", "KNEE right_elbow"),
-            at(19, "right_shoulder: 'KNEE' cannot stand here"));
-  EXPECT_EQ(with("MOTION", "MOTIONS"), at(35, "MOTION: expected, not 'MOTIONS'"));
+            at(19, "right_shoulder: 'KNEE' is not allowed here"));
+  EXPECT_EQ(with("MOTION", "MOTIONS"), at(35, "MOTION: expected here, not 'MOTIONS'"));
   EXPECT_EQ(with("Frames: 2", "Frames: x"), at(36, "Frames: must be a number, not 'x'"));
   EXPECT_EQ(with("Frames: 2", "Frames: 1.5"), at(36, "Frames: must be a whole number"));
   EXPECT_EQ(with("Frames: 2", "Frame: 2"), at(36, "Frames: 'Frames:' expected, not 'Frame: 2'"));
@@ -244,14 +243,13 @@ TEST_F(Bvh, BrokenFilesAreNamedWithTheirLine) {
   }
   EXPECT_EQ(with("0.01", "nan"), at(37, "Frame Time: must be a number, not 'nan'"));
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0\n"),
-            at(38, "MOTION: the row has 17 numbers, the skeleton 18 channels"));
+            at(38, "MOTION: the row has 17 numbers, but the skeleton has 18 channels"));
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0 0 0\n"),
-            at(38, "MOTION: the row has 19 numbers, the skeleton 18 channels"));
+            at(38, "MOTION: the row has 19 numbers, but the skeleton has 18 channels"));
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0 NaN\n"), at(38, "MOTION: must be a number, not 'NaN'"));
   EXPECT_EQ(with("0  0 0 0\n", "0  0 0 1e999\n"), at(38, "MOTION: must be a number, not '1e999'"));
   const std::string no_rows = good.substr(0, good.find(kRest));
-  EXPECT_EQ(error_of(write(no_rows, "x.bvh"), kSkeleton),
-            at(37, "MOTION: the file holds no frame"));
+  EXPECT_EQ(error_of(write(no_rows, "x.bvh"), kSkeleton), at(37, "MOTION: the file has no frames"));
   EXPECT_EQ(error_of(write(no_rows + kRest + "\n" + kRest.substr(0, 30), "x.bvh"), kSkeleton)
                 .substr(0, 16),
             "x.bvh:39: MOTION");

@@ -9,6 +9,8 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::StrEq;
+using testing::ThrowsMessage;
 
 const std::string kTrial =
     "Trajectories\n100\n,,Daphn\xE9"
@@ -38,34 +40,36 @@ TEST_F(RecordingFolder, OldEncodingsAreReported) {
   EXPECT_EQ(d.subject,
             "Daphn\xC3\xA9"
             "e");
-  EXPECT_THAT(d.reports, Contains("its text is not UTF-8: taken as ISO 8859-1"));
+  EXPECT_THAT(d.import_notes, Contains("the text is not UTF-8; assumed ISO 8859-1"));
 }
 
 TEST_F(RecordingFolder, BytesOfZeroAreNoText) {
   std::string text = kTrial;
   text[text.find("HAND")] = '\0';
-  EXPECT_THAT(error_of(write(text)), HasSubstr("trial.csv: holds bytes of zero"));
+  EXPECT_THAT(error_of(write(text)), HasSubstr("trial.csv: contains null bytes"));
 }
 
 TEST_F(RecordingFolder, OutliersBeyondReasonAreRefused) {
   std::string text = kTrial;
   EXPECT_THAT(error_of(write(text.replace(text.rfind("4\n"), 1, "1e20"))),
-              HasSubstr("trial.csv: unit: the markers spread over"));
+              HasSubstr("trial.csv: unit: implausible: the markers extend over"));
   Demonstration d;
   d.streams.sensors.emplace().position = Array2D<Vec3>(2, 1, Vec3(999, 0, 0));
   d.calibration.arm_angles.emplace().angles = JointRows::Constant(1, 1, kUnknown);
-  EXPECT_NO_THROW(check_plausibility("f", d));
+  const auto check = [&] { check_plausibility("f", d); };
+  EXPECT_NO_THROW(check());
   d.streams.sensors->position(1, 0).y() = -2000;
-  EXPECT_THROW(check_plausibility("f", d), InputError);
+  EXPECT_THAT(check, ThrowsMessage<InputError>(
+                         StrEq("f: unit: implausible: a point is 2e+03 m from the origin")));
   d.streams = {};
   d.calibration.arm_angles->angles(0, 0) = -90;  // degrees
-  EXPECT_THROW(check_plausibility("f", d), InputError);
+  EXPECT_THAT(check, ThrowsMessage<InputError>(StrEq("f: unit: implausible: an angle is -90 rad")));
   text = kTrial;
   EXPECT_EQ(error_of(write(text.replace(text.rfind("2,0"), 1, "1e9"))),
-            "trial.csv: time: 1e+07 s pass between two rows, 0 and 1e+07 s");
+            "trial.csv: time: implausible: 1e+07 s between two rows, 0 and 1e+07 s");
   text = kTrial;
   EXPECT_THAT(error_of(write(text.replace(text.find("100"), 3, "1e-9"))),
-              HasSubstr("trial.csv: time: 1e+09 s pass between two rows"));
+              HasSubstr("trial.csv: time: implausible: 1e+09 s between two rows"));
 }
 
 }  // namespace

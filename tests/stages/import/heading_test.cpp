@@ -131,7 +131,7 @@ TEST(Facing, NamesOfSidesThatAreSwappedAreNoticed) {
   const std::vector<Vec3> before = d.streams.markers->position.values;
   align_heading({}, d);
   EXPECT_EQ(d.streams.markers->position.values, before);
-  EXPECT_THAT(d.reports, Contains(HasSubstr("contradict each other")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("contradict each other")));
 }
 
 TEST(Facing, GivenAxesYieldToTheTrunkAlone) {
@@ -145,10 +145,10 @@ TEST(Facing, GivenAxesYieldToTheTrunkAlone) {
   EXPECT_EQ(farthest(kept, arm()), 0);
   align_heading({}, turned);
   EXPECT_GT(farthest(turned, arm()), 0.1);
-  EXPECT_THAT(turned.reports, Contains(HasSubstr("a guess by the arm alone")));
+  EXPECT_THAT(turned.import_notes, Contains(HasSubstr("a guess from the arm only")));
   Demonstration person = standing({{"RSHO1", {-0.2, 0, 1.4}}, {"LSHO1", {0.2, 0, 1.4}}});
   align_heading({"x y z", "", {}}, person);
-  EXPECT_THAT(person.reports, Contains(HasSubstr("180 degrees away")));
+  EXPECT_THAT(person.import_notes, Contains(HasSubstr("180 degrees away")));
   Demonstration as_it_is = standing({{"RSHO1", {-0.2, 0, 1.4}}, {"LSHO1", {0.2, 0, 1.4}}});
   Conventions by_axes;
   by_axes.forward = ForwardSource::recorded;
@@ -164,7 +164,7 @@ TEST(Facing, WhoTurnsRoundFacesWhereTheRecordingBegins) {
   }
   EXPECT_NEAR(turn_of(d), 0, 1e-9);
   align_heading({}, d);
-  EXPECT_THAT(d.reports, Contains(HasSubstr("turns round later")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("turns later")));
 }
 
 /// One person in one sitting, whose shoulders turn by up to 9 degrees in two of the three reaches.
@@ -223,7 +223,7 @@ TEST(Facing, WhoHangsHeadDownIsSaid) {
     point = Vec3(point.x(), -point.y(), -point.z());
   }
   align_heading({"x y z", "", {}}, trial);
-  EXPECT_THAT(trial.reports, Contains(HasSubstr("-z' (")));
+  EXPECT_THAT(trial.import_notes, Contains(HasSubstr("-z' (")));
 }
 
 TEST(TurnDemonstration, TakesAllThatHasAPlaceWithIt) {

@@ -114,7 +114,7 @@ TEST_F(Hot3d, BothHandsBendToTheirPalms) {
                    0.025 * Vec3(0.5, -std::sqrt(0.75), 0);
   EXPECT_LT((joint(d, "right_index_tip", 1) - tip).norm(), 1e-12);
   EXPECT_LT((joint(d, "right_thumb_cmc", 1) - Vec3(3 - 0.09, 1, 2.040)).norm(), 1e-12);
-  EXPECT_THAT(d.reports, Contains("the left hand was seen in 1 of 2 frames"));
+  EXPECT_THAT(d.import_notes, Contains("the left hand is visible in 1 of 2 frames"));
 }
 
 TEST_F(Hot3d, FramesOfTheSecondCameraAreLeftOut) {
@@ -122,8 +122,8 @@ TEST_F(Hot3d, FramesOfTheSecondCameraAreLeftOut) {
       read(hands(line(100'000'000'000, hand("1", 3, 0)) + line(100'000'080'000, hand("1", 3, 0)) +
                  line(100'033'333'333, hand("1", 3, 0))));
   EXPECT_EQ(d.streams.skeleton->time.size(), 2u);
-  EXPECT_THAT(d.reports, Contains("1 frame within 10 ms of the one before left out: another "
-                                  "camera's"));
+  EXPECT_THAT(d.import_notes, Contains("1 frame skipped, within 10 ms of the previous one: from "
+                                       "another camera"));
 }
 
 TEST_F(Hot3d, ObjectsAndTheHeadsetComeAlong) {
@@ -139,7 +139,7 @@ TEST_F(Hot3d, ObjectsAndTheHeadsetComeAlong) {
   EXPECT_LT((d.objects[0].position[1] - Vec3(1, -4, 2)).norm(), 1e-12);  // y is up
   EXPECT_LT((joint(d, "right_wrist", 0) - Vec3(3, -2, 1)).norm(), 1e-12);
   EXPECT_LT((joint(d, "head", 0) - Vec3(0, 0, 1.6)).norm(), 1e-12);
-  EXPECT_THAT(d.reports, Contains(HasSubstr("object mug: only its pose was recorded")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("object mug: only its pose was recorded")));
 }
 
 TEST_F(Hot3d, AMeshBesideGivesTheShape) {
@@ -177,29 +177,30 @@ TEST_F(Hot3d, ErrorsSayWhere) {
   const std::string file = "umetrack_hand_pose_trajectory.jsonl";
   const std::string good = line(100'000'000'000, hand("1", 3, 0));
   const auto error = [&](const std::string& text) { return error_of(hands(text)); };
-  EXPECT_EQ(error(good + good), file + ":2: timestamp_ns: does not follow the line before");
+  EXPECT_EQ(error(good + good),
+            file + ":2: timestamp_ns: must be greater than in the previous line");
   EXPECT_EQ(error(good + good.substr(0, 60)),
-            file + ":2: is no object of JSON: the line is damaged or cut off");
+            file + ":2: is not a JSON object: the line is damaged or cut off");
   EXPECT_EQ(error(line(1, R"("1": {"joint_angles": []})")),
             file + ":1: hand_poses.1.wrist_xform: is missing");
   std::string text = good;
   text.replace(text.find("[1, 0, 0, 0]"), 12, "[2, 0, 0, 0]");
   EXPECT_EQ(error(text),
-            file + ":1: hand_poses.1.wrist_xform.q_wxyz: is no quaternion of unit length");
+            file + ":1: hand_poses.1.wrist_xform.q_wxyz: is not a quaternion of unit length");
   text = good;
   text.replace(text.find("[3, 1, 2]"), 9, "[3, 1]");
-  EXPECT_EQ(error(text), file + ":1: hand_poses.1.wrist_xform.t_xyz: must hold 3 numbers, not 2");
+  EXPECT_EQ(error(text), file + ":1: hand_poses.1.wrist_xform.t_xyz: must have 3 numbers, not 2");
   EXPECT_EQ(error("{\"timestamp_ns\": 1.5, \"hand_poses\": {}}\n"),
             file + ":1: timestamp_ns: must be a whole number");
   write("{}", "metadata.json");
-  EXPECT_THAT(error(good), HasSubstr("axes: no metadata.json beside it names the headset"));
+  EXPECT_THAT(error(good), HasSubstr("axes: no metadata.json beside the file names the headset"));
   say("Aria");
   json bad = profile();
   bad["hand_model"]["joint_rotation_axes"].erase(3);
   write(bad.dump(), "umetrack_hand_user_profile.json");
   EXPECT_EQ(
       error(good),
-      "umetrack_hand_user_profile.json: hand_model.joint_rotation_axes: must hold 66 numbers, "
+      "umetrack_hand_user_profile.json: hand_model.joint_rotation_axes: must have 66 numbers, "
       "not 63");
   bad = profile();
   bad["hand_model"]["landmark_rest_bone_indices"][0][0] = 17;
@@ -207,18 +208,18 @@ TEST_F(Hot3d, ErrorsSayWhere) {
   EXPECT_THAT(error(good), HasSubstr("must be whole numbers from 0 to 16"));
   std::filesystem::remove(folder_ / "umetrack_hand_user_profile.json");
   EXPECT_EQ(error(good), file +
-                             ": its hand's model, umetrack_hand_user_profile.json, is missing "
+                             ": the hand model umetrack_hand_user_profile.json is missing "
                              "beside it");
 }
 
 TEST_F(Hot3d, ExchangedSidesAndOtherUnitsAreRefused) {
   // A left hand that bends away from its palm is a right one.
   EXPECT_THAT(error_of(hands(line(100'000'000'000, hand("0", 0, -0.5)))),
-              HasSubstr("left hand: its fingers curl as those of a right hand do"));
+              HasSubstr("left hand: its fingers curl like those of a right hand"));
   Conventions feet;
   feet.unit = "0.3048";
   EXPECT_THAT(error_of(hands(line(100'000'000'000, hand("0", 0, 0.1))), feet),
-              HasSubstr("unit: cannot be right: the left hand would measure 0.0"));
+              HasSubstr("unit: implausible: the left hand would measure 0.0"));
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ TEST_F(KeypointsCsv, ReadsFramesWithARateOrTimes) {
   EXPECT_LT((hand.position(0, 20) - Vec3(0.020, 0.040, 0.100)).norm(), 1e-15);
   EXPECT_FALSE(is_known(hand.position(1, 20)));
   EXPECT_FALSE(is_known(hand.position(2, 20)));
-  EXPECT_THAT(d.reports, ElementsAre("2 of 63 points were not seen",
-                                     HasSubstr("the wrist is the origin of every frame")));
+  EXPECT_THAT(d.import_notes, ElementsAre("2 of 63 points are not visible",
+                                          HasSubstr("the wrist is the origin in every frame")));
   const Demonstration timed =
       read(write(header("time_s") + row("0.25") + row("0.5")), {"", "mm", std::nullopt});
   EXPECT_THAT(timed.streams.hand->time, ElementsAre(0.25, 0.5));
@@ -53,26 +53,28 @@ TEST_F(KeypointsCsv, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_THAT(error(head + row("0"), {"", "", 20.0}), HasSubstr("k.csv: unit: "));
   EXPECT_THAT(error(head + row("0"), {"", "mm", std::nullopt}), HasSubstr("k.csv: rate"));
   EXPECT_EQ(error(head + row("0"), {"", "m", 20.0}),
-            "k.csv:1: unit: cannot be right: a point would be 110 m from the wrist");
+            "k.csv:1: unit: implausible: a point would be 110 m from the wrist");
   EXPECT_EQ(error(head), "k.csv:1: the file ends before the first row");
-  EXPECT_EQ(error(head + row("0") + row("0")), "k.csv:3: frame: does not follow the row before");
-  EXPECT_EQ(error(head + row("0.5")), "k.csv:2: frame: must be a whole number from 0");
-  EXPECT_EQ(error(head + row("0", "1,2")), "k.csv:2: the row has 63 cells, the header 64");
-  EXPECT_EQ(error(head + row("0", "1,2,")), "k.csv:2: kp20_x: has some of x, y, z but not all");
+  EXPECT_EQ(error(head + row("0") + row("0")),
+            "k.csv:3: frame: must be greater than in the previous row");
+  EXPECT_EQ(error(head + row("0.5")), "k.csv:2: frame: must be a whole number, at least 0");
+  EXPECT_EQ(error(head + row("0", "1,2")), "k.csv:2: the row has 63 cells, the header has 64");
+  EXPECT_EQ(error(head + row("0", "1,2,")), "k.csv:2: kp20_x: has only some of x, y, z");
   EXPECT_EQ(error(head + row("0", "1,2,z")), "k.csv:2: kp20_z: must be a number, not 'z'");
   EXPECT_EQ(error(head + row("0", "1,2,inf")), "k.csv:2: kp20_z: must be a number, not 'inf'");
-  EXPECT_EQ(error(header("Frame") + row("0")), "k.csv:1: frame: neither this nor time_s is there");
+  EXPECT_EQ(error(header("Frame") + row("0")),
+            "k.csv:1: frame: column not found; frame or time_s is required");
   std::string twice = head;
   twice.replace(twice.find("kp07_y"), 6, "kp07_x");
-  EXPECT_EQ(error(twice + row("0")), "k.csv:1: kp07_x: the column stands twice");
+  EXPECT_EQ(error(twice + row("0")), "k.csv:1: kp07_x: the column appears twice");
   std::string missing = head;
   missing.replace(missing.find("kp07_y"), 6, "kp07_w");
   EXPECT_EQ(error(missing + row("0")), "k.csv:1: kp07_y: the column is missing");
-  EXPECT_EQ(error(header("frame,extra") + row("0,1")), "k.csv:1: extra: the column is not known");
+  EXPECT_EQ(error(header("frame,extra") + row("0,1")), "k.csv:1: extra: unknown column");
   std::string unseen = "0";
   for (int k = 0; k < 63; ++k) unseen += ",";
-  EXPECT_THAT(read(write(head + unseen + "\n", "k.csv"), kKeypoints).reports,
-              testing::Contains("no point was seen in any frame"));
+  EXPECT_THAT(read(write(head + unseen + "\n", "k.csv"), kKeypoints).import_notes,
+              testing::Contains("no point is visible in any frame"));
 }
 
 // The shipped recording; the numbers by Python with numpy.
@@ -98,7 +100,7 @@ TEST_F(KeypointsCsv, ReadsTheShippedOne) {
   EXPECT_NEAR(most, 0.148166, 1e-6);
   EXPECT_NEAR(palm_least, 0.0808, 1e-4);
   EXPECT_NEAR(palm_most, 0.1113, 1e-4);
-  EXPECT_THAT(d.reports, ElementsAre(HasSubstr("the wrist is the origin of every frame")));
+  EXPECT_THAT(d.import_notes, ElementsAre(HasSubstr("the wrist is the origin in every frame")));
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ TEST_F(LibertyCsv, ReadsPosesInAnyOrderAndUnit) {
   EXPECT_TRUE(is_known(bodies.orientation(1, 0)));
   EXPECT_LT(angle_between(bodies.orientation(0, 1), Quat(0.5, 0.5, 0.5, 0.5)), 1e-12);
   EXPECT_LT(angle_between(bodies.orientation(1, 1), Quat(0.6, 0, 0.8, 0)), 1e-12);
-  EXPECT_THAT(d.reports,
-              ElementsAre(HasSubstr("columns left out: button"), HasSubstr("no calibration pose")));
+  EXPECT_THAT(d.import_notes,
+              ElementsAre(HasSubstr("columns skipped: button"), HasSubstr("no calibration pose")));
 }
 
 /// Recorded x forward, y left, z up: right is -y, forward is x.
@@ -100,7 +100,7 @@ TEST_F(LibertyCsv, TurnsPositionsAndAnglesIntoTheWorld) {
   const double a = 30 * kDegree, e = 40 * kDegree;
   const Vec3 x(std::cos(a) * std::cos(e), std::sin(a) * std::cos(e), -std::sin(e));
   EXPECT_LT((wrist.orientation(3, 0) * Vec3::UnitX() - Vec3(-x.y(), x.x(), x.z())).norm(), 1e-12);
-  EXPECT_THAT(d.reports, Contains(HasSubstr("counted from the first frame, 240")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("computed from the frame numbers, 240")));
 }
 
 TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
@@ -119,10 +119,11 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
         "ThumbRotate: {raw_low: 0, angle_low: -60 deg, raw_high: 0.42, angle_high: 100 deg}\n");
   ImportRequest request;
   request.conventions.forward = ForwardSource::recorded;
-  request.paths = {write("recordings.yaml",
-                         "axes: x y z\nrecordings:\n"
-                         "  - {file: arm.csv, glove: glove.csv, static: pose.csv, static_glove: "
-                         "flat.csv, glove_calibration: raw.yaml, names: names.yaml}\n")};
+  request.paths = {
+      write("recordings.yaml",
+            "axes: x y z\nrecordings:\n"
+            "  - {file: arm.csv, glove: glove.csv, static_trial: pose.csv, glove_static_trial: "
+            "flat.csv, glove_calibration: raw.yaml, names: names.yaml}\n")};
   const Demonstration d = read(request);
   const HandStream& glove = *d.streams.hand;
   EXPECT_EQ(glove.kind, HandKind::glove);
@@ -134,14 +135,14 @@ TEST_F(LibertyCsv, ReadsGloveAndCalibrationPoseByAManifest) {
   EXPECT_EQ(glove.angles(0, 17), 0.5);
   EXPECT_TRUE(std::isnan(glove.angles(1, 17)));
   EXPECT_TRUE(std::isnan(glove.angles(0, 1)));
-  EXPECT_THAT(d.reports,
-              Contains(HasSubstr("glove.csv: the glove has no sensor ThumbMPJ, ThumbIJ")));
+  EXPECT_THAT(d.import_notes,
+              Contains(HasSubstr("glove.csv: glove sensors without a column: ThumbMPJ, ThumbIJ")));
   EXPECT_NEAR(d.calibration.hand->angles(0, 4), 3 * kDegree, 1e-12);
   EXPECT_THAT(d.calibration.markers->names,
               ElementsAre("middle_mcp", "index_mcp", "little_mcp", "elbow"));
   // Nobody digitised the wrist: its sensor has no offset, and that is said.
   EXPECT_THAT(d.sensor_offsets->sensors, IsEmpty());
-  EXPECT_THAT(d.reports, Contains(HasSubstr("no point wrist was digitised")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("no point wrist was digitised")));
 }
 
 /// A sensor turned by 90 degrees about Z; the hand points forward, thumb up.
@@ -158,7 +159,7 @@ TEST_F(LibertyCsv, FindsTheSensorOffsetsOfTheCalibrationPose) {
       "0,10,20,80,40,20,30,90,0,0,40,110,30,40,110,50,40,100,-20\n");
   request.conventions.axes = "x y z";
   const Demonstration d = read(request);
-  EXPECT_THAT(d.reports, IsEmpty());
+  EXPECT_THAT(d.import_notes, IsEmpty());
   EXPECT_THAT(d.calibration.markers->names, Contains("wrist"));
   ASSERT_THAT(d.sensor_offsets->sensors, ElementsAre("wrist"));
   EXPECT_LT((d.sensor_offsets->joint_in_sensor[0] - Vec3(0, -0.03, -0.05)).norm(), 1e-12);
@@ -176,11 +177,13 @@ TEST_F(LibertyCsv, RepairsWhatItSays) {
   EXPECT_NEAR(d.streams.sensors->orientation(0, 0).norm(), 1, 1e-15);
   EXPECT_FALSE(is_known(d.streams.sensors->orientation(1, 0)));
   EXPECT_FALSE(is_known(d.streams.sensors->orientation(2, 0)));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions were off unit norm by up to 0.001")));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("1 quaternions are zero")));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("lines end in different ways")));
+  EXPECT_THAT(
+      d.import_notes,
+      Contains(HasSubstr("1 quaternions normalised; their norm differed from 1 by up to 0.001")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("1 quaternions are zero")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("mixed line endings")));
   const Demonstration unseen = read(kLibertyHeader + "0,,,,,,,\n0.1,NaN,NaN,NaN,,,,\n");
-  EXPECT_THAT(unseen.reports, Contains(HasSubstr("wrist was never seen")));
+  EXPECT_THAT(unseen.import_notes, Contains(HasSubstr("wrist is never visible")));
 }
 
 TEST_F(LibertyCsv, RefusesWhatItDoesNotUnderstand) {
@@ -191,48 +194,48 @@ TEST_F(LibertyCsv, RefusesWhatItDoesNotUnderstand) {
   };
   EXPECT_EQ(error_of(kLibertyHeader), ":1: ends before the first row");
   EXPECT_EQ(error_of(kLibertyHeader + row + "0.1,1,2,3,1,0,0\n"),
-            ":3: the row has 7 cells, the header 8");
+            ":3: the row has 7 cells, the header has 8");
   EXPECT_EQ(error_of(kLibertyHeader + row + "0.1,1,2,3\n"),
-            ":3: the row has 4 cells, the header 8");
-  EXPECT_EQ(error_of(kLibertyHeader + row + row), ":3: time_s: does not follow the row before");
+            ":3: the row has 4 cells, the header has 8");
+  EXPECT_EQ(error_of(kLibertyHeader + row + row),
+            ":3: time_s: must be greater than in the previous row");
   EXPECT_EQ(error_of(kLibertyHeader + row + "-1,1,2,3,1,0,0,0\n"),
-            ":3: time_s: does not follow the row before");
+            ":3: time_s: must be greater than in the previous row");
   EXPECT_EQ(error_of(kLibertyHeader + row + "9e9,1,2,3,1,0,0,0\n"),
-            ":3: time_s: jumps by more than an hour");
+            ":3: time_s: increases by more than one hour");
   EXPECT_EQ(error_of(kLibertyHeader + ",1,2,3,1,0,0,0\n"), ":2: time_s: is empty");
   EXPECT_EQ(error_of(kLibertyHeader + "0,1,x,3,1,0,0,0\n"),
             ":2: wrist_y_m: must be a number, not 'x'");
-  EXPECT_EQ(error_of(kLibertyHeader + "0,1,,3,1,0,0,0\n"),
-            ":2: wrist: has some of x, y, z but not all");
+  EXPECT_EQ(error_of(kLibertyHeader + "0,1,,3,1,0,0,0\n"), ":2: wrist: has only some of x, y, z");
   EXPECT_EQ(error_of(kLibertyHeader + "0,1,2,3,1,0,,0\n"),
-            ":2: wrist: has some of qw, qx, qy, qz but not all");
+            ":2: wrist: has only some of qw, qx, qy, qz");
   EXPECT_EQ(error_of(kLibertyHeader + "0,1,2,3,1,1,0,0\n"),
-            ":2: wrist: its quaternion has the norm 1.414");
+            ":2: wrist: its quaternion has norm 1.414, must be 1");
   EXPECT_THAT(error_of(kLibertyHeader + "0,1000,2,3,1,0,0,0\n"),
               HasSubstr(": unit: a sensor is 1e+03 m"));
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_x_m") + row),
-            ":1: wrist_x_m: the column stands twice");
+            ":1: wrist_x_m: the column appears twice");
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_x_mm") + row),
-            ":1: wrist_x_mm: wrist has that twice");
+            ":1: wrist_x_mm: wrist has this column twice");
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_w_m") + row),
             ":1: wrist_y: the column is missing");
   EXPECT_EQ(error_of(header_with("wrist_qz", "wrist_qq") + row),
             ":1: wrist_qz: the column is missing");
   EXPECT_EQ(error_of(header_with("wrist_y_m", "wrist_y_cm") + row),
-            ":1: wrist_y_cm: is in another unit");
+            ":1: wrist_y_cm: has another unit than the other columns of the body");
   EXPECT_EQ(error_of(header_with("wrist_qz", "wrist_roll_deg") + row),
-            ":1: wrist_roll_deg: the body has a quaternion and Euler angles: one is enough");
-  EXPECT_THAT(error_of(kLibertyHeader + row, {}), HasSubstr(": axes: the file does not say"));
+            ":1: wrist_roll_deg: the body has both a quaternion and Euler angles; remove one");
+  EXPECT_THAT(error_of(kLibertyHeader + row, {}), HasSubstr(": axes: the file does not state"));
   const std::string bare = "time_s,w_x,w_y,w_z,w_qw,w_qx,w_qy,w_qz\n" + row;
-  EXPECT_THAT(error_of(bare), HasSubstr(": unit: the file does not say it"));
+  EXPECT_THAT(error_of(bare), HasSubstr(": unit: not in the file"));
   const std::string frames = header_with("time_s", "frame") + row;
-  EXPECT_THAT(error_of(frames), HasSubstr(": rate: the file does not say it"));
+  EXPECT_THAT(error_of(frames), HasSubstr(": rate: not in the file"));
   EXPECT_EQ(error_of("time_s,ThumbRotate_deg,IndexMPJ\n0,1,2\n"),
-            ":1: IndexMPJ: must say its unit: end in _deg, _rad or _raw");
+            ":1: IndexMPJ: unit missing: must end in _deg, _rad or _raw");
   EXPECT_EQ(error_of("time_s,IndexMPJ_deg,IndexMPJ_rad\n0,1,1\n"),
-            ":1: IndexMPJ_rad: the sensor stands twice");
+            ":1: IndexMPJ_rad: the sensor appears twice");
   EXPECT_EQ(error_of("time_s,IndexMPJ_rad\n0,80\n"),
-            ":2: IndexMPJ_rad: is more than half a turn: is its unit right?");
+            ":2: IndexMPJ_rad: is more than 180 degrees; is the unit correct?");
   EXPECT_THAT(error_of("time_s,IndexMPJ_raw\n0,80\n"),
               HasSubstr("raw counts need two calibration"));
   EXPECT_THAT(error_of(""), HasSubstr("format: not recognised"));
@@ -254,15 +257,15 @@ TEST_F(LibertyCsv, RefusesAGloveWhereNoneBelongs) {
   };
   EXPECT_EQ(error_with("file: arm.csv, glove: both.csv"), "no error");
   EXPECT_THAT(error_with("file: both.csv, glove: both.csv"),
-              HasSubstr("the glove's sensors already"));
+              HasSubstr("already has the glove sensors"));
   EXPECT_THAT(error_with("file: both.csv, glove: arm.csv"),
-              HasSubstr("names no sensor of a glove"));
+              HasSubstr("has no column of a glove sensor"));
   write("names.yaml", "pinky: little\n");
   EXPECT_THAT(error_with("file: arm.csv, names: names.yaml"),
-              HasSubstr("'pinky' is renamed but was not recorded"));
+              HasSubstr("'pinky' is to be renamed but is not in the recording"));
   write("raw.yaml", "Thumb: {raw_low: 0, angle_low: 0, raw_high: 1, angle_high: 1}\n");
   EXPECT_THAT(error_with("file: both.csv, glove_calibration: raw.yaml"),
-              HasSubstr("raw.yaml:1: Thumb: is no sensor"));
+              HasSubstr("raw.yaml:1: Thumb: is not a sensor"));
   write("raw.yaml", "IndexMPJ: {raw_low: 1, angle_low: 0, raw_high: 1, angle_high: 1}\n");
   EXPECT_THAT(error_with("file: both.csv, glove_calibration: raw.yaml"),
               HasSubstr("raw.yaml:1: IndexMPJ: raw_low and raw_high must differ"));

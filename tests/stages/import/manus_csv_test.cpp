@@ -53,18 +53,20 @@ TEST_F(ManusCsv, TheShapeOfAHand) {
   EXPECT_LT(hand.position(0, 0).norm(), 1e-12);
   EXPECT_LT((hand.position(0, 8) - Vec3(0.02, -0.03, 0.16)).norm(), 1e-12);  // index tip
   EXPECT_LT((hand.position(0, 9) - Vec3(0, 0, 0.055)).norm(), 1e-12);        // middle MCP, not CMC
-  EXPECT_THAT(d.reports, Contains("the glove was not tracked: only the shape of the right hand is "
-                                  "taken, not where it was"));
+  EXPECT_THAT(d.import_notes,
+              Contains("the glove was not tracked: only the shape of the right hand is "
+                       "used, not its position"));
 }
 
 TEST_F(ManusCsv, TheSideIsTheNamesOrTheFingers) {
   EXPECT_THAT(error_of(write(header() + row(0, 3), "trial_L.csv")),
-              HasSubstr("left hand: its fingers curl as those of a right hand do"));
+              HasSubstr("left hand: its fingers curl like those of a right hand"));
   EXPECT_THAT(
-      read(write(header() + row(0, 3), "trial.csv")).reports,
-      Contains("neither _L nor _R ends the file's name: a right hand, as its fingers curl"));
-  EXPECT_THAT(read(write(header() + row(0, 0.1), "flat.csv")).reports,
-              Contains(HasSubstr("as was asked for: its fingers are too straight to tell")));
+      read(write(header() + row(0, 3), "trial.csv")).import_notes,
+      Contains(
+          "the file name does not end in _L or _R: right hand, judged by the curl of its fingers"));
+  EXPECT_THAT(read(write(header() + row(0, 0.1), "flat.csv")).import_notes,
+              Contains(HasSubstr("as requested: its fingers are too straight to judge")));
 }
 
 TEST_F(ManusCsv, ErrorsSayWhere) {
@@ -74,10 +76,10 @@ TEST_F(ManusCsv, ErrorsSayWhere) {
   EXPECT_EQ(error(lacking + row(0, 1)), "m_R.csv:1: Index_PIP_Position_Y: the column is missing");
   EXPECT_EQ(error(header()), "m_R.csv:1: the file ends before the first row");
   EXPECT_EQ(error(header() + row(5, 1) + row(5, 1)),
-            "m_R.csv:3: Elapsed_Time_In_Milliseconds: does not follow the row before");
-  EXPECT_EQ(error(header() + "1,2,3\n"), "m_R.csv:2: the row has 3 cells, the header 104");
+            "m_R.csv:3: Elapsed_Time_In_Milliseconds: must be greater than in the previous row");
+  EXPECT_EQ(error(header() + "1,2,3\n"), "m_R.csv:2: the row has 3 cells, the header has 104");
   EXPECT_THAT(error(header() + row(0, 3, 3)),
-              HasSubstr("unit: cannot be right: the right hand would measure 0.165 m"));
+              HasSubstr("unit: implausible: the right hand would measure 0.165 m"));
 }
 
 }  // namespace

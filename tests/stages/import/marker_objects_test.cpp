@@ -65,8 +65,8 @@ TEST(MarkerObjects, BoxMovesAsItsCorners) {
   EXPECT_LT((Vec3(found.size.data()) - kSize).norm(), 1e-12);
   EXPECT_LT(worst_error(box, found), 1e-7);
   EXPECT_EQ(box.demonstration.streams.markers->names.size(), 9u);
-  EXPECT_THAT(box.demonstration.reports,
-              ElementsAre("crate: from 8 markers, rigid within 0.0 mm (root mean square)"));
+  EXPECT_THAT(box.demonstration.import_notes,
+              ElementsAre("crate: from 8 markers, RMS deviation from a rigid body 0.0 mm"));
 }
 
 TEST(MarkerObjects, GapsAndNoiseLeaveTheShapeAlone) {
@@ -81,7 +81,8 @@ TEST(MarkerObjects, GapsAndNoiseLeaveTheShapeAlone) {
   EXPECT_EQ(found.time.size(), 90u);
   EXPECT_LT((Vec3(found.size.data()) - kSize).norm(), 0.001);
   EXPECT_LT(worst_error(box, found), 0.01);
-  EXPECT_THAT(box.demonstration.reports, ElementsAre(HasSubstr("not seen in 10 of 100 frames")));
+  EXPECT_THAT(box.demonstration.import_notes,
+              ElementsAre(HasSubstr("not visible in 10 of 100 frames")));
 }
 
 TEST(MarkerObjects, GivenSizeAndShapeAreTaken) {
@@ -102,18 +103,19 @@ TEST(MarkerObjects, SaysWhatIsWrong) {
     }
     return "no error";
   };
-  EXPECT_EQ(error_of({"o", {"box:*", "lid*"}, "box", {}}), "f: objects: o: no marker 'lid*'");
+  EXPECT_EQ(error_of({"o", {"box:*", "lid*"}, "box", {}}),
+            "f: objects: o: marker 'lid*' not found");
   EXPECT_EQ(error_of({"o", {"box:1", "box:2"}, "box", {1, 1, 1}}),
-            "f: objects: o: no frame shows three of its markers that are not in a line");
+            "f: objects: o: in no frame are three of its markers visible that are not on a line");
   EXPECT_EQ(error_of({"o", {"box:0", "box:1", "box:2"}, "box", {}}),
-            "f: objects: o: its markers lie in a plane: give its size");
+            "f: objects: o: its markers are in one plane; give its size");
   EXPECT_EQ(validation_error(MarkerObject{"o", {}, "ball", {}}),
             "shape must be sphere, box, cylinder or capsule, not 'ball'");
-  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs its size");
+  EXPECT_EQ(validation_error(MarkerObject{"o", {}, "sphere", {}}), "a sphere needs a size");
   EXPECT_EQ(validation_error(MarkerObject{"o", {}, "box", {1, 1}}),
-            "the size of a box is 3 positive lengths");
+            "the size of a box must be 3 positive lengths");
   EXPECT_EQ(validation_error(MarkerObject{"o", {}, "box", {1, 1, 0}}),
-            "the size of a box is 3 positive lengths");
+            "the size of a box must be 3 positive lengths");
 }
 
 /// Rows between which a marker of the box is faster than 50 mm/s, read from the text with Python:

@@ -33,7 +33,7 @@ TEST_F(Mot, ReadsDegreesOrRadiansSeparatedInAnyWay) {
   const Demonstration d =
       read(write("DataType=double\ninDegrees = NO\nENDHEADER\ntime q\n0 1.5\n", "a.sto"));
   EXPECT_EQ(d.streams.arm_angles->angles(0, 0), 1.5);
-  EXPECT_TRUE(d.reports.empty());
+  EXPECT_TRUE(d.import_notes.empty());
 }
 
 TEST_F(Mot, ReportsWhatItLeavesOutAndWhereTheHeaderIsWrong) {
@@ -42,12 +42,11 @@ TEST_F(Mot, ReportsWhatItLeavesOutAndWhereTheHeaderIsWrong) {
   const Demonstration d = read(write(kHead + table, "a.mot"));
   EXPECT_THAT(d.streams.arm_angles->joints, ElementsAre("elbow", "wrist"));
   EXPECT_TRUE(std::isnan(d.streams.arm_angles->angles(0, 1)));
-  EXPECT_THAT(d.reports,
-              ElementsAre("nRows says 2, the file holds 3 rows: those were taken",
-                          "nColumns says 3, the file holds 5 columns: those were taken",
-                          "translations, which are no joint angles, were left out: pelvis_tx, "
-                          "box_transX",
-                          "1 of 6 angles are NaN: not seen"));
+  EXPECT_THAT(d.import_notes, ElementsAre("nRows is 2, but the file has 3 rows; all are used",
+                                          "nColumns is 3, but the file has 5 columns; all are used",
+                                          "translations skipped: pelvis_tx, "
+                                          "box_transX",
+                                          "1 of 6 angles are missing (NaN)"));
 }
 
 TEST_F(Mot, BrokenFilesAreNamedWithTheirLine) {
@@ -66,16 +65,17 @@ TEST_F(Mot, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_EQ(error(""), "a.mot:1: endheader: the line is missing");
   EXPECT_EQ(error("nRows=1\ntime a\n0 1\n"), "a.mot:3: endheader: the line is missing");
   EXPECT_EQ(error(kHead), "a.mot:7: the file ends after its header");
-  EXPECT_EQ(error(kHead + "time,a\n"), "a.mot:8: the file holds no row");
-  EXPECT_EQ(error(kHead + "t,a\n0,1\n"), "a.mot:8: time: the first column must be called this");
-  EXPECT_EQ(error(kHead + "time,a,a\n0,1,2\n"), "a.mot:8: a: the column stands twice");
+  EXPECT_EQ(error(kHead + "time,a\n"), "a.mot:8: the file has no rows");
+  EXPECT_EQ(error(kHead + "t,a\n0,1\n"), "a.mot:8: time: the first column must have this name");
+  EXPECT_EQ(error(kHead + "time,a,a\n0,1,2\n"), "a.mot:8: a: the column appears twice");
   EXPECT_EQ(error(kHead + "time,,a\n0,1,2\n"), "a.mot:8: column 2 has no name");
-  EXPECT_EQ(error(kHead + "time,a_tx\n0,1\n"), "a.mot:8: names no joint angle");
-  EXPECT_EQ(error(kHead + "time,a,b\n0,1\n"), "a.mot:9: b: the row has 2 cells, the header 3");
-  EXPECT_EQ(error(kHead + "time,a\n0,1,2\n"), "a.mot:9: the row has 3 cells, the header 2");
+  EXPECT_EQ(error(kHead + "time,a_tx\n0,1\n"), "a.mot:8: has no column of a joint angle");
+  EXPECT_EQ(error(kHead + "time,a,b\n0,1\n"), "a.mot:9: b: the row has 2 cells, the header has 3");
+  EXPECT_EQ(error(kHead + "time,a\n0,1,2\n"), "a.mot:9: the row has 3 cells, the header has 2");
   EXPECT_EQ(error(kHead + "time,a\n0,x\n"), "a.mot:9: a: must be a number, not 'x'");
   EXPECT_EQ(error(kHead + "time,a\nnan,1\n"), "a.mot:9: time: must be a number, not 'nan'");
-  EXPECT_EQ(error(kHead + "time,a\n1,1\n0,1\n"), "a.mot:10: time: does not follow the row before");
+  EXPECT_EQ(error(kHead + "time,a\n1,1\n0,1\n"),
+            "a.mot:10: time: must be greater than in the previous row");
   EXPECT_EQ(error("inDegrees=maybe\nendheader\ntime,a\n0,1\n"),
             "a.mot:2: inDegrees: must be yes or no, not 'maybe'");
   EXPECT_THAT(error("endheader\ntime,a\n0,1\n"), HasSubstr("give --unit or `unit:` deg or rad"));
@@ -99,8 +99,9 @@ TEST_F(Mot, ReadsTheShippedOne) {
   EXPECT_NEAR(angles.angles(87, 12), 2.228418745, 1e-9);
   EXPECT_EQ(angles.joints[17], "box_rotY");
   EXPECT_NEAR(angles.angles(0, 17), -3.159095987, 1e-9);
-  EXPECT_THAT(d.reports, ElementsAre("nRows says 250, the file holds 88 rows: those were taken",
-                                     HasSubstr("thorax_tx, thorax_ty, thorax_tz, box_transX")));
+  EXPECT_THAT(d.import_notes,
+              ElementsAre("nRows is 250, but the file has 88 rows; all are used",
+                          HasSubstr("thorax_tx, thorax_ty, thorax_tz, box_transX")));
 }
 
 }  // namespace

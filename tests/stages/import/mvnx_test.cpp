@@ -69,13 +69,13 @@ TEST_F(Mvnx, SegmentsBeginAtTheirJoints) {
   EXPECT_LT((axes.col(0) + Vec3::UnitZ()).norm(), 1e-12);
   EXPECT_LT((axes.col(1) - Vec3::UnitY()).norm(), 1e-12);
   EXPECT_LT((axes.col(2) - Vec3::UnitX()).norm(), 1e-12);
-  EXPECT_THAT(d.reports, Contains("1 frame of the calibration left out"));
+  EXPECT_THAT(d.import_notes, Contains("1 frame of the calibration skipped"));
 }
 
 TEST_F(Mvnx, TwoPeopleAreSaid) {
   const Demonstration d = read(
       write(mvnx("</subject>", "</subject><subject label=\"B\" frameRate=\"60\"/>"), "two.mvnx"));
-  EXPECT_THAT(d.reports, Contains("the file holds 2 people: the first, Suit 3, is taken"));
+  EXPECT_THAT(d.import_notes, Contains("the file has 2 people; the first, Suit 3, is used"));
 }
 
 TEST_F(Mvnx, ErrorsSayWhere) {
@@ -85,12 +85,12 @@ TEST_F(Mvnx, ErrorsSayWhere) {
   EXPECT_EQ(error("frameRate=\"60\"", "frameRate=\"x\""),
             "m.mvnx:3: subject.frameRate: must be a number, not 'x'");
   EXPECT_EQ(error("frameRate=\"60\"", ""), "m.mvnx:3: subject.frameRate: is missing");
-  EXPECT_EQ(error("0 0 1 0.1", "0 0 0.1"), "m.mvnx:20: position: must hold 12 numbers, not 11");
-  EXPECT_EQ(error("0 0 1 0.1", "0 0 ? 0.1"), "m.mvnx:20: position: number 3 is none");
+  EXPECT_EQ(error("0 0 1 0.1", "0 0 0.1"), "m.mvnx:20: position: must have 12 numbers, not 11");
+  EXPECT_EQ(error("0 0 1 0.1", "0 0 ? 0.1"), "m.mvnx:20: position: value 3 is not a number");
   EXPECT_EQ(error("<orientation>1", "<orientation>3"),
-            "m.mvnx:19: orientation: Pelvis: is no quaternion of unit length");
+            "m.mvnx:19: orientation: Pelvis: is not a quaternion of unit length");
   EXPECT_EQ(error("index=\"8\"", "index=\"7\""),
-            "m.mvnx:24: frame.index: does not follow the frame before");
+            "m.mvnx:24: frame.index: must be greater than in the previous frame");
   const std::string text = mvnx();
   for (std::size_t length = 40; length < text.size() - 10; length += 23) {
     EXPECT_THAT(error_of(write(text.substr(0, length), "m.mvnx")), HasSubstr("m.mvnx:")) << length;

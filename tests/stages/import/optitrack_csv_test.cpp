@@ -53,10 +53,10 @@ TEST_F(OptitrackCsv, BodiesAndMeasuredMarkersInTheWorld) {
                           Quat(Eigen::AngleAxisd(M_PI / 2, Vec3::UnitX())) * Quat(0.8, 0, 0.6, 0)),
             1e-9);
   EXPECT_LT((cup.position[0] - Vec3(0.111, -0.300, 0.200)).norm(), 1e-9);
-  EXPECT_THAT(d.reports, Contains("3 frames are missing in 1 gap"));
-  EXPECT_THAT(d.reports, Contains("1 unlabelled marker left out"));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("'x -z y' point right, forward and up, as is usual")));
-  EXPECT_THAT(d.reports, Contains(HasSubstr("object Cup: a box of")));
+  EXPECT_THAT(d.import_notes, Contains("3 frames are missing in 1 gap"));
+  EXPECT_THAT(d.import_notes, Contains("1 unlabelled marker skipped"));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("assumed 'x -z y' (right, forward, up)")));
+  EXPECT_THAT(d.import_notes, Contains(HasSubstr("object Cup: assumed a box of")));
 }
 
 TEST_F(OptitrackCsv, AxesMayBeOthers) {
@@ -132,7 +132,7 @@ TEST_F(OptitrackCsv, AHandThatGoesAboutHasAPlace) {
   const Demonstration rests = read(write(marked_hand(2)));
   EXPECT_FALSE(rests.streams.skeleton);
   EXPECT_EQ(rests.streams.hand->kind, HandKind::keypoints);
-  EXPECT_THAT(rests.reports, Contains(HasSubstr("without an arm that goes nowhere")));
+  EXPECT_THAT(rests.import_notes, Contains(HasSubstr("stays in place, without an arm")));
 }
 
 TEST_F(OptitrackCsv, ErrorsSayWhere) {
@@ -140,22 +140,24 @@ TEST_F(OptitrackCsv, ErrorsSayWhere) {
     return error_of(write(take(from, to), "take.csv"));
   };
   EXPECT_EQ(error("Global", "Local"),
-            "take.csv:1: Coordinate Space: is Local: export in Global coordinates");
+            "take.csv:1: Coordinate Space: is Local; export in Global coordinates");
   EXPECT_EQ(
       error("Millimeters", "Ells"),
       "take.csv:1: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, not "
       "'Ells'");
-  EXPECT_THAT(error("Length Units,Millimeters", "Length,Millimeters"), HasSubstr("unit: the file"));
+  EXPECT_THAT(error("Length Units,Millimeters", "Length,Millimeters"),
+              HasSubstr("unit: not in the file"));
   EXPECT_EQ(
       error("Frame,Time", "Row,Time"),
-      "take.csv:10: Frame: the line 'Frame,Time' is missing: export the take with its header");
-  EXPECT_EQ(error("11,0.11", "10,0.11"), "take.csv:9: Frame: does not follow the row before");
+      "take.csv:10: Frame: the line 'Frame,Time' is missing; export the take with its header");
+  EXPECT_EQ(error("11,0.11", "10,0.11"),
+            "take.csv:9: Frame: must be greater than in the previous row");
   EXPECT_EQ(error("10,0.1,0,0.6", "10,0.1,0,"),
-            "take.csv:8: Cup.Rotation: has some of its numbers, not all");
+            "take.csv:8: Cup.Rotation: has only some of its numbers");
   EXPECT_EQ(error("10,0.1,0,0.6", "10,0.1,0,6"),
-            "take.csv:8: Cup.Rotation: is no quaternion of unit length");
+            "take.csv:8: Cup.Rotation: is not a quaternion of unit length");
   EXPECT_EQ(error("111,200", "111,2o0"), "take.csv:8: Cup:1.Position: must be a number, not '2o0'");
-  EXPECT_EQ(error(",1,2,3\n11", "\n11"), "take.csv:8: the row has 16 cells, the header 19");
+  EXPECT_EQ(error(",1,2,3\n11", "\n11"), "take.csv:8: the row has 16 cells, the header has 19");
   EXPECT_EQ(error(",,Rotation,Rotation", ",,Rotation,Spin"), "take.csv:7: Cup.Rotation: lacks Y");
   const std::string text = take();
   for (std::size_t length = 20; length < text.size() - 60; length += 7) {
@@ -170,7 +172,7 @@ TEST_F(OptitrackCsv, ReadsBothShippedVersions) {
   EXPECT_EQ(d.streams.markers->names.size(), 12u);
   EXPECT_EQ(d.streams.markers->time.size(), 8u);
   EXPECT_NEAR(d.streams.markers->time[4], 444 / 120.0, 1e-12);
-  EXPECT_THAT(d.reports, Contains("440 frames are missing in 1 gap"));
+  EXPECT_THAT(d.import_notes, Contains("440 frames are missing in 1 gap"));
   ImportRequest request;
   request.paths = {kTakes / "rofunc_take.csv"};
   request.name_map = write("{Left: left_wrist, Right: right_wrist}", "names.yaml");

@@ -39,7 +39,7 @@ TEST_F(PointCsv, SemicolonsTabsAndDecimalCommas) {
   expect_points("A_x\tA_y\tA_z\tB_x\tB_y\tB_z\n1.0\t2.0\t3.0\t4.0\t5.0\t6.0\n", kMetres);
   const Demonstration d = read(write("A_x;A_y;A_z\n0,125;1;2\n"), kMetres);
   EXPECT_DOUBLE_EQ(d.streams.markers->position(0, 0).x(), 0.125);
-  EXPECT_THAT(d.reports, Contains("numbers have a decimal comma"));
+  EXPECT_THAT(d.import_notes, Contains("numbers use decimal commas"));
 }
 
 TEST_F(PointCsv, UnitsInTheHeader) {
@@ -49,7 +49,7 @@ TEST_F(PointCsv, UnitsInTheHeader) {
   expect_points("A_x_m,A_y_m,A_z_m,B_x_m,B_y_m,B_z_m\n1,2,3,4,5,6\n", rate);
   expect_points("A,,,B,,\nX,Y,Z,X,Y,Z\nmm,mm,mm,mm,mm,mm\n1,2,3,4,5,6\n", rate, 1e-3);
   EXPECT_THAT(error_of(write("A_x (mm),A_y (mm),A_z (cm)\n1,2,3\n"), rate),
-              HasSubstr("trial.csv:1: A: the unit 'cm' differs from 'mm'"));
+              HasSubstr("trial.csv:1: A: has the unit 'cm', but the first point has 'mm'"));
 }
 
 TEST_F(PointCsv, TwoLinesOfHeaderBehindLinesOfTheirOwn) {
@@ -71,11 +71,11 @@ TEST_F(PointCsv, TimesInTheirUnitOrSaidToBeTaken) {
   EXPECT_NEAR(times("timestamp_us", "0", "8000").streams.markers->time[1], 0.008, 1e-15);
   const Demonstration unsaid = times("t", "100", "108");
   EXPECT_NEAR(unsaid.streams.markers->time[1] - unsaid.streams.markers->time[0], 0.008, 1e-12);
-  EXPECT_THAT(unsaid.reports,
-              Contains("'t' does not say its unit: taken as ms, 125 rows a second"));
+  EXPECT_THAT(unsaid.import_notes,
+              Contains("unit of 't' not in the file; assumed ms, 125 rows per second"));
   const Demonstration clock = times("time", "1700000000.00", "1700000000.01");
   EXPECT_EQ(clock.streams.markers->time[0], 0);
-  EXPECT_THAT(clock.reports, Contains("times were counted from the first row's"));
+  EXPECT_THAT(clock.import_notes, Contains("times are counted from that of the first row"));
 }
 
 TEST_F(PointCsv, FramesHaveTheGivenRateAndMayLeaveOut) {
@@ -90,7 +90,7 @@ TEST_F(PointCsv, WhatIsNoPointIsLeftOutAndSaid) {
                  "0.00,1,2,3,0,0,0,1,7,7,7,5\n0.01,1,2,3,0,0,0,1,7,7,7,5\n"),
            {"x y z", "m", {}});
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A"));
-  EXPECT_THAT(d.reports, Contains("columns that are no points were left out: A_vel, A_q, force"));
+  EXPECT_THAT(d.import_notes, Contains("columns skipped, not points: A_vel, A_q, force"));
 }
 
 TEST_F(PointCsv, WhatWasNotSeen) {
@@ -122,16 +122,17 @@ TEST_F(PointCsv, EveryDamageHasItsLineAndColumn) {
   const Conventions metres{"x y z", "m", {}};
   const auto error = [&](const std::string& rows) { return error_of(write(head + rows), metres); };
   EXPECT_EQ(error("0,1,2,3\n0.01,1,2\n0.02,1,2,3\n"),
-            "trial.csv:3: the row has 3 cells, the last one 4");
-  EXPECT_EQ(error("0,1,2,3\n0.01,1,,3\n"), "trial.csv:3: A: has some of x, y, z but not all");
+            "trial.csv:3: the row has 3 cells, but the header has 4");
+  EXPECT_EQ(error("0,1,2,3\n0.01,1,,3\n"), "trial.csv:3: A: has only some of x, y, z");
   EXPECT_EQ(error("0,1,2,3\n0.01,1,two,3\n"), "trial.csv:3: A.y: must be a number, not 'two'");
   EXPECT_EQ(error("0,1,2,3\n0.01,1,inf,3\n"), "trial.csv:3: A.y: must be a number, not 'inf'");
-  EXPECT_EQ(error("0.01,1,2,3\n0.01,1,2,3\n"), "trial.csv:3: time: does not follow the row before");
+  EXPECT_EQ(error("0.01,1,2,3\n0.01,1,2,3\n"),
+            "trial.csv:3: time: must be greater than in the previous row");
   EXPECT_THAT(error(""), HasSubstr("trial.csv"));
   EXPECT_THAT(error_of(write("A_x;A_y;A_z\n1.5;2,5;3,5\n1,5;2,5;3,5\n"), kMetres),
               HasSubstr("trial.csv:2: A.x: must be a number, not '1.5'"));
   EXPECT_THAT(error_of(write("A_x,A_y,A_z,A_x\n1,2,3,4\n"), kMetres),
-              HasSubstr("trial.csv:1: A_x: the column stands twice"));
+              HasSubstr("trial.csv:1: A_x: the column appears twice"));
   EXPECT_THAT(error_of(write("a,b,c\n1,2,3\n"), kMetres), HasSubstr("format: not recognised"));
   EXPECT_THAT(error_of(write(head + "0,1,2,3\n0.01,1,2,3\n"), kUpright), HasSubstr(": unit: "));
   EXPECT_THAT(error_of(write("A_x,A_y,A_z\n1,2,3\n1,2,3\n"), {"x y z", "m", {}}),

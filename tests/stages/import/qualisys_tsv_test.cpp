@@ -43,7 +43,7 @@ void expect_two_markers(const Demonstration& d) {
 TEST_F(QualisysTsv, ReadsMillimetresAndTheOriginIsNotSeen) {
   const Demonstration d = read_text(tsv());
   expect_two_markers(d);
-  EXPECT_THAT(d.reports, Contains("the file does not say its unit: mm, as Qualisys writes"));
+  EXPECT_THAT(d.import_notes, Contains("unit not in the file; assumed mm, as written by Qualisys"));
 }
 
 TEST_F(QualisysTsv, WithColumnNamesAndWithoutFrameAndTime) {
@@ -61,14 +61,14 @@ TEST_F(QualisysTsv, AFrameThatIsLeftOutIsAGapInTime) {
 
 TEST_F(QualisysTsv, EveryDamageHasItsLine) {
   EXPECT_THAT(error("MARKER_NAMES\tA\tB", "MARKER_NAMES\tA\tA"),
-              HasSubstr("q.tsv:11: A: the marker stands twice"));
+              HasSubstr("q.tsv:11: A: the marker appears twice"));
   EXPECT_THAT(error("MARKER_NAMES\tA\tB", "MARKER_NAMES\tA"), HasSubstr("q.tsv:12: the row has"));
   EXPECT_THAT(error("21.0", "x"), HasSubstr("q.tsv:13: A: must be a number, not 'x'"));
-  EXPECT_THAT(error("11.0\t21.0", "11.0\t"), HasSubstr("q.tsv:13: A: has some of X, Y, Z"));
+  EXPECT_THAT(error("11.0\t21.0", "11.0\t"), HasSubstr("q.tsv:13: A: has only some of X, Y, Z"));
   EXPECT_THAT(error("\t0.000\t0.000\t0.000", ""), HasSubstr("q.tsv:13: B: the row has 5 cells"));
-  EXPECT_THAT(error("2\t0.00500", "1\t0.00500"), HasSubstr("q.tsv:13: Frame: does not follow"));
+  EXPECT_THAT(error("2\t0.00500", "1\t0.00500"), HasSubstr("q.tsv:13: Frame: must be greater"));
   EXPECT_THAT(error("DATA_INCLUDED\t3D", "DATA_INCLUDED\t6D"), HasSubstr("must be 3D, not '6D'"));
-  EXPECT_THAT(error("FREQUENCY\t200", "FREQUENCY\t"), HasSubstr("rate: the file does not say it"));
+  EXPECT_THAT(error("FREQUENCY\t200", "FREQUENCY\t"), HasSubstr("rate: not in the file"));
   const std::string whole = tsv();
   EXPECT_THAT(error(whole.substr(whole.find("1\t0.00000")), ""),
               HasSubstr("before the first frame"));

@@ -38,7 +38,7 @@ TEST(ReachingHand, TheSideThatMovesFarther) {
 TEST(ReachingHand, OneSideAlone) {
   const ReachingHand hand = hand_of({{"LWRI", 0.3}, {"LELB", 0.1}});
   EXPECT_EQ(hand.side, Side::left);
-  EXPECT_NE(hand.why.find("left side alone"), std::string::npos);
+  EXPECT_NE(hand.why.find("only points of the left side"), std::string::npos);
 }
 
 TEST(ReachingHand, AssumedWhereNothingTells) {

@@ -37,7 +37,7 @@ class Trc : public RecordingFolder {
     return RecordingFolder::error_of(write(trc(from, to)), kTrc);
   }
   std::vector<std::string> reports_of(const std::string& from, const std::string& to) {
-    return read(write(trc(from, to)), kTrc).reports;
+    return read(write(trc(from, to)), kTrc).import_notes;
   }
 };
 
@@ -48,7 +48,7 @@ TEST_F(Trc, TabsAndCommasReadTheSame) {
     EXPECT_THAT(markers.names, ElementsAre("A", "B"));
     EXPECT_THAT(markers.time, ElementsAre(0, 0.01));
     EXPECT_LT((markers.position(1, 1) - Vec3(0.041, 0.051, 0.061)).norm(), 1e-15);
-    EXPECT_THAT(d.reports, ElementsAre());
+    EXPECT_THAT(d.import_notes, ElementsAre());
   }
 }
 
@@ -61,7 +61,7 @@ TEST_F(Trc, ThePathInTheFileIsNotKept) {
 
 TEST_F(Trc, AxesAreAskedForAndUsed) {
   EXPECT_EQ(RecordingFolder::error_of(write(trc())),
-            "trial.trc: axes: the file does not say which axes point right, forward and up; give "
+            "trial.trc: axes: the file does not state which axes point right, forward and up; give "
             "--axes or `axes:` such as 'x y z'");
   const Demonstration d = read(write(trc()), {"y -x z", "", {}});
   EXPECT_LT((d.streams.markers->position(0, 0) - Vec3(0.02, -0.01, 0.03)).norm(), 1e-15);
@@ -69,11 +69,11 @@ TEST_F(Trc, AxesAreAskedForAndUsed) {
 
 TEST_F(Trc, WhatTheHeaderPromisesIsCompared) {
   EXPECT_THAT(reports_of("100,100,2,2", "100,100,652,51"),
-              ElementsAre("the header says 51 markers, 2 are there",
-                          "the header says 652 frames, 2 are there"));
+              ElementsAre("the header states 51 markers, the file has 2",
+                          "the header states 652 frames, the file has 2"));
   EXPECT_THAT(reports_of("100,100,2", "60,100,2"),
-              ElementsAre("the rate should be 60 frames a second, the times say 100: the times "
-                          "were taken"));
+              ElementsAre("the header states 60 frames per second, the times give 100; the times "
+                          "are used"));
   EXPECT_THAT(reports_of("\n\n", "\n"), ElementsAre());  // no blank line before the frames
 }
 
@@ -85,26 +85,28 @@ TEST_F(Trc, EmptyNanAndOriginWereNotSeen) {
   }
   const Demonstration d = read(write(trc("10,20,30", "0,0.000,0")), kTrc);
   EXPECT_FALSE(is_known(d.streams.markers->position(0, 0)));
-  EXPECT_THAT(d.reports, ElementsAre("1 points stand exactly at the origin: taken as not seen"));
+  EXPECT_THAT(d.import_notes,
+              ElementsAre("1 points are exactly at the origin; treated as not visible"));
 }
 
 TEST_F(Trc, ErrorsSayWhere) {
-  EXPECT_EQ(error_of("10,20,30", "10,,30"), "trial.trc:7: A: has some of X, Y, Z but not all");
+  EXPECT_EQ(error_of("10,20,30", "10,,30"), "trial.trc:7: A: has only some of X, Y, Z");
   EXPECT_EQ(error_of("10,20,30", "10,2x,30"), "trial.trc:7: A.Y: must be a number, not '2x'");
-  EXPECT_EQ(error_of(",51,61", ",51"), "trial.trc:8: B.Z: the row has 7 cells, the header 8");
+  EXPECT_EQ(error_of(",51,61", ",51"), "trial.trc:8: B.Z: the row has 7 cells, the header has 8");
   EXPECT_EQ(error_of(",51,61", ",51,61,7"),
-            "trial.trc:8: column 9: the row has 9 cells, the header 8");
-  EXPECT_EQ(error_of("2,0.01", "2,0.00"), "trial.trc:8: Time: does not follow the row before");
+            "trial.trc:8: column 9: the row has 9 cells, the header has 8");
+  EXPECT_EQ(error_of("2,0.01", "2,0.00"),
+            "trial.trc:8: Time: must be greater than in the previous row");
   EXPECT_EQ(error_of("2,0.01", "2,"), "trial.trc:8: Time: must be a number, not ''");
-  EXPECT_EQ(error_of("A,,,B", "A,,,A"), "trial.trc:4: A: the marker stands twice");
-  EXPECT_EQ(error_of("Y2", "Z2"), "trial.trc:5: B.Y: must stand under 'Y2'");
+  EXPECT_EQ(error_of("A,,,B", "A,,,A"), "trial.trc:4: A: the marker appears twice");
+  EXPECT_EQ(error_of("Y2", "Z2"), "trial.trc:5: B.Y: must be under 'Y2'");
   EXPECT_EQ(
       error_of("mm", "ell"),
       "trial.trc:3: unit: must be m, cm, mm, in, ft or metres per unit as a positive number, not "
       "'ell'");
-  EXPECT_THAT(error_of("mm", ""), HasSubstr("trial.trc:3: unit: the file does not say it"));
+  EXPECT_THAT(error_of("mm", ""), HasSubstr("trial.trc:3: unit: not in the file"));
   EXPECT_EQ(error_of("Frame#", "Row"), "trial.trc:4: must begin with 'Frame#' and 'Time'");
-  EXPECT_EQ(error_of("NumFrames", "Units"), "trial.trc:2: Units: stands twice");
+  EXPECT_EQ(error_of("NumFrames", "Units"), "trial.trc:2: Units: appears twice");
   const std::string text = trc();
   EXPECT_EQ(RecordingFolder::error_of(write(text.substr(0, text.find("\n1\t"))), kTrc),
             "trial.trc:5: ends before the first frame");
@@ -126,7 +128,8 @@ TEST_F(Trc, ShippedFileMatchesItsText) {
   EXPECT_LT((markers.position(0, 0) - Vec3(0.0809832, -0.7337041, 0.1918668)).norm(), 1e-12);
   EXPECT_LT((markers.position(92, 50) - Vec3(-0.0760879, -0.3467847, 0.2298264)).norm(), 1e-12);
   for (const Vec3& point : markers.position.values) EXPECT_TRUE(is_known(point));
-  EXPECT_THAT(all[1].reports, testing::Contains("the header says 652 frames, 93 are there"));
+  EXPECT_THAT(all[1].import_notes,
+              testing::Contains("the header states 652 frames, the file has 93"));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 const std::filesystem::path kData = std::filesystem::path(MORPHE_SOURCE_DIR) / "datasets/ue-adl";
 
@@ -59,30 +60,30 @@ TEST_F(ViconCsv, ErrorsNameLineAndColumn) {
                      row),
             "trial.csv:4: column 6: belongs to no marker");
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,inch\n" + row),
-            "trial.csv:5: RFTP.Z: unit differs from the first column's");
+            "trial.csv:5: RFTP.Z: has another unit than the first column");
   EXPECT_THAT(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,ell,ell,ell\n" + row),
               HasSubstr("trial.csv:5: unit: must be m, cm, mm, in, ft"));
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,m,mm\n" + row),
-            "trial.csv:5: RFTP.Y: unit differs from the first column's");
+            "trial.csv:5: RFTP.Y: has another unit than the first column");
   EXPECT_EQ(error_of(kViconHeader + row + "2,0,1,2,3,4,5\n"),
-            "trial.csv:7: RTHUM.Z: the row has 7 cells, the header 8");
+            "trial.csv:7: RTHUM.Z: the row has 7 cells, the header has 8");
   EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,5,6,7\n"),
-            "trial.csv:6: column 9: the row has 9 cells, the header 8");
+            "trial.csv:6: column 9: the row has 9 cells, the header has 8");
   EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,5x,6\n"),
             "trial.csv:6: RTHUM.Y: must be a number, not '5x'");
   EXPECT_EQ(error_of(kViconHeader + "1,0,1,2,3,4,nan,6\n"),
-            "trial.csv:6: RTHUM: has some of X, Y, Z but not all");
+            "trial.csv:6: RTHUM: has only some of X, Y, Z");
   EXPECT_EQ(error_of(kViconHeader + "1,0,1,,3,4,5,6\n"),
-            "trial.csv:6: RFTP: has some of X, Y, Z but not all");
+            "trial.csv:6: RFTP: has only some of X, Y, Z");
   EXPECT_EQ(error_of(kViconHeader + row + row),
-            "trial.csv:7: Frame: does not follow the frame before");
+            "trial.csv:7: Frame: must be greater than in the previous row");
   EXPECT_EQ(error_of(kViconHeader), "trial.csv:5: ends before the first frame");
   EXPECT_EQ(error_of("Trajectories\nfast\n,,A:RFTP\nFrame,Sub Frame,X,Y,Z\n,,mm,mm,mm\n" + row),
             "trial.csv:2: rate: must be a number, not 'fast'");
   EXPECT_EQ(error_of("Trajectories\n100\n,,A:RFTP,,,A:RFTP\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n"
                      ",,mm,mm,mm,mm,mm,mm\n" +
                      row),
-            "trial.csv:3: A:RFTP: the marker stands twice");
+            "trial.csv:3: A:RFTP: the marker appears twice");
 }
 
 TEST_F(ViconCsv, RealTrialsMatchTheirText) {
@@ -119,7 +120,9 @@ TEST_F(ViconCsv, NamesAreMapped) {
     EXPECT_EQ(d.streams.markers->names, std::vector<std::string>{"RFTP"});
   });
   request.name_map = write("MIDDLE: RFTP\n", "names.yaml");
-  EXPECT_THROW(import_recordings(request, [](Demonstration&&) {}), InputError);
+  EXPECT_THAT([&] { import_recordings(request, [](Demonstration&&) {}); },
+              ThrowsMessage<InputError>(HasSubstr(
+                  "trial.csv: names: 'MIDDLE' is to be renamed but is not in the recording")));
 }
 
 TEST_F(ViconCsv, NamesMayBeInTheRecordingOrInTheStaticTrial) {
@@ -137,8 +140,9 @@ TEST_F(ViconCsv, NamesMayBeInTheRecordingOrInTheStaticTrial) {
     read(request);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(),
-                HasSubstr("trial.csv: names: 'THUMB' is renamed but was not recorded"));
+    EXPECT_THAT(
+        error.what(),
+        HasSubstr("trial.csv: names: 'THUMB' is to be renamed but is not in the recording"));
   }
 }
 
@@ -147,7 +151,7 @@ TEST_F(ViconCsv, SeveralSubjectsKeepTheirNames) {
   Demonstration d = read(write("Trajectories\n100\n,,A:HAND,,,box:TOP\n" + rows));
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A:HAND", "box:TOP"));
   EXPECT_EQ(d.subject, "");
-  EXPECT_THAT(d.reports, testing::Contains("markers keep the names of their subjects: A, box"));
+  EXPECT_THAT(d.import_notes, testing::Contains("marker names keep the subject as prefix: A, box"));
   d = read(write("Trajectories\n100\n,,A:HAND,,,HAND\n" + rows));
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A:HAND", "HAND"));
   d = read(write("Trajectories\n100\n,,A:HAND,,,*5\n" + rows));  // a point without a name
@@ -157,12 +161,11 @@ TEST_F(ViconCsv, SeveralSubjectsKeepTheirNames) {
 
 TEST_F(ViconCsv, AxesAreTheUsualOnesOrAsGiven) {
   const auto file = write(kViconHeader + "1,0,1,2,3,40,50,60\n");
-  EXPECT_THAT(read(file).reports,
-              ElementsAre("the file does not say its axes: 'x y z' point right, forward and up, as "
-                          "is usual"));
+  EXPECT_THAT(read(file).import_notes,
+              ElementsAre("axes not in the file; assumed 'x y z' (right, forward, up)"));
   const Demonstration d = read(file, {"y -x z", "", {}});
   EXPECT_LT((d.streams.markers->position(0, 1) - Vec3(0.05, -0.04, 0.06)).norm(), 1e-15);
-  EXPECT_THAT(d.reports, ElementsAre());
+  EXPECT_THAT(d.import_notes, ElementsAre());
   EXPECT_THAT(RecordingFolder::error_of(file, {"y x z", "", {}}), HasSubstr("is left-handed"));
 }
 
@@ -171,9 +174,8 @@ TEST_F(ViconCsv, OtherSectionsAreLeftOut) {
       write("Devices\n1000\n,,Force\nFrame,Sub Frame,Fx\n,,N\n1,0,5\n1,1,6\n\n" + kViconHeader +
             "1,0,1,2,3,40,50,60\n2,0,1,2,3,40,50,60\n,,,\n" + "Model Outputs\n100\n,,Angle\n"));
   EXPECT_EQ(d.streams.markers->time.size(), 2u);
-  EXPECT_THAT(d.reports, testing::Contains("sections left out: Devices, Model Outputs"));
-  EXPECT_EQ(error_of("Devices\n1000\n,,Force\n"),
-            "trial.csv:1: there is no section 'Trajectories'");
+  EXPECT_THAT(d.import_notes, testing::Contains("sections skipped: Devices, Model Outputs"));
+  EXPECT_EQ(error_of("Devices\n1000\n,,Force\n"), "trial.csv:1: section 'Trajectories' not found");
 }
 
 struct Damage {
@@ -190,7 +192,7 @@ TEST_P(DamagedViconCsv, IsRefusedOrReported) {
     EXPECT_EQ(error_of(kViconHeader + damage.text), std::string("trial.csv:") + damage.error);
   } else {
     const Demonstration d = read(write(kViconHeader + damage.text));
-    EXPECT_THAT(d.reports, testing::Contains(HasSubstr(damage.report)));
+    EXPECT_THAT(d.import_notes, testing::Contains(HasSubstr(damage.report)));
   }
 }
 
@@ -198,33 +200,33 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, DamagedViconCsv,
     testing::Values(
         Damage{"MixedLineEnds", "1,0,1,2,3,40,50,60\r\n2,0,1,2,3,40,50,60\r3,0,1,2,3,4,5,6\n", "",
-               "its lines end in different ways"},
+               "mixed line endings; all are accepted"},
         Damage{"BlankLine", "1,0,1,2,3,40,50,60\n\n2,0,1,2,3,4,5,6\n",
-               "8: a section must begin here, but '2' is none", ""},
-        Damage{"TooFewCells", "1,0,1,2,3,40,50\n", "6: RTHUM.Z: the row has 7 cells, the header 8",
-               ""},
+               "8: a section must begin here, but '2' is not a section", ""},
+        Damage{"TooFewCells", "1,0,1,2,3,40,50\n",
+               "6: RTHUM.Z: the row has 7 cells, the header has 8", ""},
         Damage{"CutInARow", "1,0,1,2,3,40,50,60\n2,0,1,",
-               "7: RFTP.Z: the row has 4 cells, the header 8", ""},
+               "7: RFTP.Z: the row has 4 cells, the header has 8", ""},
         Damage{"TooManyCells", "1,0,1,2,3,40,50,60,7\n",
-               "6: column 9: the row has 9 cells, the header 8", ""},
+               "6: column 9: the row has 9 cells, the header has 8", ""},
         Damage{"OtherSeparator", "1;0;1;2;3;40;50;60\n",
-               "6: Sub Frame: the row has 1 cells, the header 8", ""},
+               "6: Sub Frame: the row has 1 cells, the header has 8", ""},
         Damage{"DecimalComma", "1,0,1,5,2,3,40,50,60\n",
-               "6: column 9: the row has 9 cells, the header 8", ""},
+               "6: column 9: the row has 9 cells, the header has 8", ""},
         Damage{"NothingSeen", "1,0,,,,,,\n2,0,nan,nan,nan,NaN,NaN,NaN\n", "",
-               "no marker was seen in any frame"},
-        Damage{"MarkerNeverSeen", "1,0,,,,40,50,60\n", "", "never seen: RFTP"},
+               "no marker is visible in any frame"},
+        Damage{"MarkerNeverSeen", "1,0,,,,40,50,60\n", "", "never visible: RFTP"},
         Damage{"OriginForNotSeen", "1,0,0,0,0,40,50,60\n", "",
-               "1 points stand exactly at the origin"},
+               "1 points are exactly at the origin"},
         Damage{"Infinite", "1,0,inf,2,3,40,50,60\n", "6: RFTP.X: must be a number, not 'inf'", ""},
         Damage{"TimeRunsBack", "2,0,1,2,3,40,50,60\n1,0,1,2,3,40,50,60\n",
-               "7: Frame: does not follow the frame before", ""},
+               "7: Frame: must be greater than in the previous row", ""},
         Damage{"TimeStands", "1,0,1,2,3,40,50,60\n1,0,1,2,3,40,50,60\n",
-               "7: Frame: does not follow the frame before", ""},
+               "7: Frame: must be greater than in the previous row", ""},
         Damage{"FramesLeftOut", "1,0,1,2,3,40,50,60\n5,0,1,2,3,40,50,60\n", "",
-               "3 frame numbers are left out"},
+               "3 frame numbers are missing"},
         Damage{"SubFrames", "1,0,1,2,3,40,50,60\n1,1,1,2,3,40,50,60\n",
-               "7: Sub Frame: must be 0: no sub-frame data is read", ""},
+               "7: Sub Frame: must be 0; sub-frames are not supported", ""},
         Damage{"FrameIsNoNumber", "one,0,1,2,3,40,50,60\n", "6: Frame: must be a number, not 'one'",
                ""},
         Damage{"NoFrame", "", "5: ends before the first frame", ""}),
@@ -241,13 +243,13 @@ TEST_F(ViconCsv, WrongUnitIsNoticedAndCanBeOverruled) {
   for (std::size_t at = 0; (at = text.find("mm")) != std::string::npos;) text.replace(at, 2, "m");
   const auto file = write(text + "1,0,100,200,300,400,500,600\n");
   EXPECT_EQ(RecordingFolder::error_of(file),
-            "trial.csv: unit: the markers spread over 520 m; give --unit or `unit:` if the file's "
-            "is wrong");
+            "trial.csv: unit: implausible: the markers extend over 520 m; give --unit or "
+            "`unit:`");
   const Demonstration d = read(file, {"", "mm", 25});
   EXPECT_LT((d.streams.markers->position(0, 0) - Vec3(0.1, 0.2, 0.3)).norm(), 1e-15);
-  EXPECT_THAT(d.reports, testing::Contains("the file says the unit m; mm was given and used"));
-  EXPECT_THAT(d.reports,
-              testing::Contains("the file says 50 frames a second; 25 was given and used"));
+  EXPECT_THAT(d.import_notes, testing::Contains("unit m in the file; the given mm is used"));
+  EXPECT_THAT(d.import_notes,
+              testing::Contains("50 frames per second in the file; the given 25 is used"));
 }
 
 TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
@@ -257,7 +259,9 @@ TEST_F(ViconCsv, EmptyFilesAreNotRecognised) {
     request.conventions.forward = ForwardSource::recorded;
     request.paths = {folder_ / "trial.csv"};
     request.format = "vicon-csv";
-    EXPECT_THROW(read(request), InputError);
+    EXPECT_THAT(
+        [&] { read(request); },
+        ThrowsMessage<InputError>(HasSubstr("trial.csv:1: section 'Trajectories' not found")));
   }
 }
 
@@ -285,14 +289,11 @@ TEST_F(ViconCsv, UnknownContentAndFormatListWhatIsKnown) {
             "trial.csv:1: format: not recognised; known: " +
                 fmt::format("{}", fmt::join(import_format_names(), ", ")));
   ImportRequest request{{write("x")}, {}, "c4d", {}, {}};
-  try {
-    import_recordings(request, [](Demonstration&&) {});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("unknown 'c4d'; known: vicon-csv, "));
-  }
+  const auto import_all = [&] { import_recordings(request, [](Demonstration&&) {}); };
+  EXPECT_THAT(import_all,
+              ThrowsMessage<InputError>(HasSubstr("unknown 'c4d'; known: vicon-csv, ")));
   request = {{folder_ / "absent.csv"}, {}, "", {}, {}};
-  EXPECT_THROW(import_recordings(request, [](Demonstration&&) {}), InputError);
+  EXPECT_THAT(import_all, ThrowsMessage<InputError>(HasSubstr("absent.csv: cannot be read")));
 }
 
 TEST_F(ViconCsv, ManifestErrors) {
@@ -314,7 +315,7 @@ TEST_F(ViconCsv, ManifestErrors) {
   EXPECT_THAT(manifest_error("hand: none\nrecordings:\n  - {file: trial.csv}\n"),
               HasSubstr("hand: must be right, left or both, not 'none'"));
   EXPECT_THAT(manifest_error("recordings:\n  - {file: trial.csv}\n  - {file: trial.csv}\n"),
-              HasSubstr("'trial' stands twice"));
+              HasSubstr("'trial' appears twice"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(FitHand, NoFingerIsAskedToBeLongerThanItIs) {
   const HandBones human = hand_of(0.08, 0.1, 0.09, 0.02, {0, 0, 0.09});
   const HandBones robot = hand_of(0.13, 0.13, 0.13, 0.045, {0.02, 0.01, 0});
   const HandAlignment fit =
-      align_hand(robot, human, {HandScale::finger_length, 1, HandAlignmentPoint::palm_width});
+      align_hand(robot, human, {HandScale::finger_length, 1, HandAlignmentPoint::palm});
   EXPECT_NEAR(fit.scale, 0.13 / 0.1, 1e-12);
   EXPECT_EQ(fit.offset, Vec3::Zero());
   EXPECT_EQ(fit.problem, "");
@@ -28,8 +28,9 @@ TEST(FitHand, NoFingerIsAskedToBeLongerThanItIs) {
 TEST(FitHand, ByThePalmItIsAsBroadAsTheRobots) {
   const HandBones human = hand_of(0.08, 0.1, 0.09, 0.02, {0, 0, 0.09});
   const HandBones robot = hand_of(0.13, 0.13, 0.13, 0.045, {0.02, 0.01, 0});
-  EXPECT_NEAR(align_hand(robot, human, {HandScale::palm_width, 1, HandAlignmentPoint::palm_width}).scale, 2.25,
-              1e-12);
+  EXPECT_NEAR(
+      align_hand(robot, human, {HandScale::palm_breadth, 1, HandAlignmentPoint::palm}).scale, 2.25,
+      1e-12);
 }
 
 TEST(FitHand, AHandThatIsALargerOneMovedIsFittedExactly) {
@@ -61,8 +62,9 @@ TEST(FitHand, WhatIsNotKnownIsSaid) {
   EXPECT_EQ(unknown.offset, Vec3::Zero());
   EXPECT_NE(unknown.problem, "");
   EXPECT_EQ(align_hand(robot, {}, {}).problem, "") << "nothing was asked for";
-  EXPECT_NE(validation_error(HandOptions{HandScale::finger_length, 1.2, HandAlignmentPoint::palm_width}), "");
-  EXPECT_NE(validation_error(HandOptions{HandScale::fixed, 0, HandAlignmentPoint::palm_width}), "");
+  EXPECT_NE(validation_error(HandOptions{HandScale::finger_length, 1.2, HandAlignmentPoint::palm}),
+            "");
+  EXPECT_NE(validation_error(HandOptions{HandScale::fixed, 0, HandAlignmentPoint::palm}), "");
 }
 
 }  // namespace

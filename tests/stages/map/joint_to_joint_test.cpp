@@ -132,7 +132,7 @@ class ArmToArm : public testing::Test {
     world = collision::make_world(robot, scene, Movement{}, Tolerances{});
     options.mode = MapMode::joint_to_joint;
     options.starts = 24;
-    options.reachable_starts = 4;
+    options.reach_search_starts = 4;
   }
   robot::Robot robot;
   JointVector truth;
@@ -163,9 +163,9 @@ TEST_F(ArmToArm, LinksAndHandPointAsTheHumans) {
     EXPECT_LT(angle_between(palm, goals.wrist_orientation[f]), 0.005);
     // The error that is stored is the tip's from its true goal.
     const Vec3 tip = robot::tip_pose(robot, poses, 1).translation();
-    EXPECT_NEAR(result.mapped.position_error(static_cast<Index>(f), 1),
+    EXPECT_NEAR(result.mapped.tip_error(static_cast<Index>(f), 1),
                 (tip - goals.tip_position(f, 1)).norm(), 1e-12);
-    EXPECT_GT(result.mapped.position_error(static_cast<Index>(f), 1), 0.05);
+    EXPECT_GT(result.mapped.tip_error(static_cast<Index>(f), 1), 0.05);
   }
   // No angles were recorded: the fingers stay at zero.
   EXPECT_LT(result.mapped.position.rightCols(15).cwiseAbs().maxCoeff(), 0.01);

@@ -43,9 +43,9 @@ class MapMovement : public testing::Test {
       goals.shoulder_position.push_back(
           poses[static_cast<std::size_t>(robot.shoulder_frame)].translation());
       goals.elbow_position.push_back(
-          poses[static_cast<std::size_t>(robot.centres[0].frame)].translation());
+          poses[static_cast<std::size_t>(robot.joint_centres[0].frame)].translation());
       goals.wrist_position.push_back(
-          poses[static_cast<std::size_t>(robot.centres[1].frame)].translation());
+          poses[static_cast<std::size_t>(robot.joint_centres[1].frame)].translation());
       goals.wrist_orientation.emplace_back(
           poses[static_cast<std::size_t>(robot.palm_frame)].linear());
     }
@@ -69,8 +69,8 @@ TEST_F(MapMovement, MeetsReachableGoalsInsideTheLimitsWithoutAJump) {
   const auto [result, refusal] = solve();
   ASSERT_FALSE(refusal) << refusal.detail;
   for (Index f = 0; f < result.mapped.position.rows(); ++f) {
-    for (const Index tip : {0, 1}) EXPECT_LT(result.mapped.position_error(f, tip), 1e-3);
-    EXPECT_TRUE(std::isnan(result.mapped.position_error(f, 2)));
+    for (const Index tip : {0, 1}) EXPECT_LT(result.mapped.tip_error(f, tip), 1e-3);
+    EXPECT_TRUE(std::isnan(result.mapped.tip_error(f, 2)));
     EXPECT_EQ(result.mapped.status[static_cast<std::size_t>(f)], FrameStatus::met);
     EXPECT_TRUE(goals.reachable(static_cast<std::size_t>(f), 0));
     const JointVector q = result.mapped.position.row(f).transpose();
@@ -93,7 +93,7 @@ TEST_F(MapMovement, StaysOffAnObstacleThatItKnows) {
   ball.shape = Shape::sphere;
   ball.size = {0.03};
   ball.time = {0};
-  ball.position = {poses[static_cast<std::size_t>(robot.centres[0].frame)].translation() +
+  ball.position = {poses[static_cast<std::size_t>(robot.joint_centres[0].frame)].translation() +
                    Vec3(0.09, 0, 0)};
   ball.orientation = {Quat::Identity()};
   scene.objects = {ball};
@@ -112,7 +112,7 @@ TEST_F(MapMovement, GoalsOutOfReachAreSaidToBe) {
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     for (const std::size_t tip : {0U, 1U}) goals.tip_position(f, tip) += Vec3(0, 0, 3);
   }
-  options.reachable_starts = 4;
+  options.reach_search_starts = 4;
   const auto [result, refusal] = solve();
   ASSERT_FALSE(refusal) << refusal.detail;
   EXPECT_FALSE(goals.reachable(10, 0));

@@ -19,7 +19,7 @@ MapOptions with_mode(MapMode mode) {
   options.mode = mode;
   options.objective.get<humanlike::TriangleArea>().weight = 0.5;
   options.objective.get<humanlike::HullVolume>().weight = 2;
-  options.natural = {{"arm_1", "", 0.1}};
+  options.natural_posture = {{"arm_1", "", 0.1}};
   return options;
 }
 
@@ -100,10 +100,10 @@ TEST(MapOptions, TrianglesAndHullsAreLessWhereTheyCount) {
     options.objective.get<humanlike::TriangleArea>().weight = b;
     options.objective.get<humanlike::HullVolume>().weight = c;
     options.starts = 24;
-    options.reachable_starts = 1;
+    options.reach_search_starts = 1;
     const MapResult result =
         map_movement(make_mapping_problem(robot, goals, world, options), goals, options, 1).value;
-    EXPECT_LT(result.mapped.position_error.maxCoeff(), 1e-3);
+    EXPECT_LT(result.mapped.tip_error.maxCoeff(), 1e-3);
     return Vec3(result.mapped.humanlikeness.row(4).transpose());
   };
   const Vec3 none = metrics(0, 0, 0), b = metrics(0, 1, 0), c = metrics(0, 0, 10);

@@ -29,7 +29,7 @@ struct TwoSides {
     tip.frame = 1;
     tip.transform.translation() = Vec3(0.5, 0, 0);
     table.tips = {tip};
-    table.centres = {{1, "arm"}};
+    table.joint_centres = {{1, "arm"}};
     table.palm_frame = 1;
     table.velocity = table.acceleration = table.jerk = JointVector::Constant(2, 2);
     robot = robot::Robot(table);

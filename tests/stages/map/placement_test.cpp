@@ -95,7 +95,7 @@ TEST(Placement, AHandIsAloneWithoutAnArm) {
   wrist.frames[static_cast<std::size_t>(wrist.palm_frame)].joint = 0;  // a wrist's joint
   EXPECT_TRUE(is_hand_only(wrist));
   RobotModel unnamed = robot::generate_arm({6, 0.6});  // an arm of which nobody said that it is one
-  unnamed.centres.clear();
+  unnamed.joint_centres.clear();
   EXPECT_FALSE(is_hand_only(unnamed));
 }
 

@@ -79,7 +79,7 @@ TEST(Twins, PlaceEveryTipAndCentreAlike) {
       const Pose a = robot::tip_pose(robot, as_is, tip), b = robot::tip_pose(robot, twin, tip);
       EXPECT_TRUE(a.isApprox(b, 1e-9));
     }
-    for (const RobotModel::JointCentre& centre : robot.centres) {
+    for (const RobotModel::JointCentre& centre : robot.joint_centres) {
       const auto frame = static_cast<std::size_t>(centre.frame);
       EXPECT_LT((as_is[frame].translation() - twin[frame].translation()).norm(), 1e-9);
     }

@@ -72,7 +72,7 @@ TEST(KeepBoneLengths, LeavesWhatIsNotSeenAndWhatIsNoArm) {
   enforce_bone_lengths(stretched);
   EXPECT_EQ(squares(stretched.wrist, as_it_was.wrist), 0);
   EXPECT_THAT(stretched.reconstruction_notes,
-              testing::ElementsAre(testing::HasSubstr("are no arm")));
+              testing::ElementsAre(testing::HasSubstr("do not form an arm")));
 }
 
 TEST(AddArmAngles, FollowsTheArmAndLeavesWhatIsNotSeen) {

@@ -63,8 +63,8 @@ TEST(FindPivot, UsesTheFramesThatShowBothBodies) {
       estimate_centre_of_rotation(pair.a, pair.b, {Vec3::Zero(), Vec3::Zero(), 0.15});
   EXPECT_LT((pivot.in_a - kInA).norm(), 1e-5);
   for (Pose& pose : pair.b) pose.matrix().setConstant(kUnknown);
-  EXPECT_FALSE(
-      is_known(estimate_centre_of_rotation(pair.a, pair.b, {Vec3::Zero(), Vec3::Zero(), 0.15}).in_a));
+  EXPECT_FALSE(is_known(
+      estimate_centre_of_rotation(pair.a, pair.b, {Vec3::Zero(), Vec3::Zero(), 0.15}).in_a));
 }
 
 }  // namespace

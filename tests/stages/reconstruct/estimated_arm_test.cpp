@@ -71,7 +71,7 @@ TEST(EstimatedArm, IsNearTheOneThatWasHidden) {
     EXPECT_THAT(motion.estimated, Contains("elbow"));
     // Every joint has a name of ours: none may be the shoulder by another.
     EXPECT_THAT(motion.reconstruction_notes,
-                testing::Not(Contains(testing::HasSubstr("no joint called"))));
+                testing::Not(Contains(testing::HasSubstr("no joint named"))));
     const double shoulder = rms_between(motion.shoulder, truth.shoulder);
     const double elbow = rms_between(motion.elbow, truth.elbow);
     const double angle = upper_arm_error(motion, truth) / kRadPerDegree;
@@ -88,7 +88,7 @@ TEST(EstimatedArm, ASeenElbowWithoutShoulderIsLeft) {
   const HumanMotion motion = reconstruct(hand, {}, {});
   EXPECT_FALSE(is_known(motion.shoulder[10]));
   EXPECT_THAT(motion.reconstruction_notes,
-              Contains(testing::HasSubstr("no joint called right_shoulder")));
+              Contains(testing::HasSubstr("no joint named right_shoulder")));
 }
 
 TEST(EstimatedArm, AHeadSaysWhereTheShoulderIs) {
@@ -101,7 +101,7 @@ TEST(EstimatedArm, AHeadSaysWhereTheShoulderIs) {
     body.position(i, 3) = shoulder + stature_m * Vec3(-0.109, 0, 0.115);
   }
   HumanOptions any_reach;
-  any_reach.reach_share = 0.9999;
+  any_reach.max_reach_share = 0.9999;
   const HumanMotion motion = reconstruct(hand, {}, any_reach);
   EXPECT_LT((motion.shoulder[0] - shoulder).norm(), 0.05);
 }

@@ -135,7 +135,7 @@ TEST(FunctionalJoints, WithoutLandmarksAndStaticTrialTheMotionTells) {
     expect_joints(motion, arm, 0.001);
     EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow", "wrist"));
     EXPECT_THAT(motion.reconstruction_notes,
-                Contains(HasSubstr("elbow: taken where RUAR and RLAR turn")));
+                Contains(HasSubstr("elbow: estimated as the centre of rotation of RUAR and RLAR")));
     EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("hand: its axes need RFB")));
   }
 }
@@ -149,7 +149,7 @@ TEST(FunctionalJoints, GapsAreCarriedByTheClusterBridgedOrLeft) {
   expect_all_seen(carried);
   expect_joints(carried, arm, 0.0015);  // where one of four is hidden, three carry the noise
   EXPECT_THAT(carried.reconstruction_notes,
-              Contains("RHAN3: hidden in 300 of 1000 frames, for up to 3.01 s; carried by its "
+              Contains("RHAN3: hidden in 300 of 1000 frames, for up to 3.01 s; filled in from its "
                        "cluster in 300"));
 
   arm = moving_arm(3, false);
@@ -159,9 +159,9 @@ TEST(FunctionalJoints, GapsAreCarriedByTheClusterBridgedOrLeft) {
   // Noise of three markers 100 mm away remains; it is the centre that is found to a millimetre.
   expect_joints(left, arm, 0.0015);
   EXPECT_THAT(left.reconstruction_notes,
-              Contains("RLAR1: hidden in 80 of 1000 frames, for up to 0.09 s; bridged in 80"));
+              Contains("RLAR1: hidden in 80 of 1000 frames, for up to 0.09 s; interpolated in 80"));
   EXPECT_THAT(left.reconstruction_notes,
-              Contains("RHAN2: hidden in 30 of 1000 frames, for up to 0.31 s; left unseen in 30"));
+              Contains("RHAN2: hidden in 30 of 1000 frames, for up to 0.31 s; missing in 30"));
   expect_all_seen(left);  // the forearm alone carries the wrist, without a step
   for (std::size_t i = 1; i < left.time.size(); ++i) {
     EXPECT_LT((left.wrist[i] - left.wrist[i - 1] - arm.wrist[i] + arm.wrist[i - 1]).norm(), 0.001);
@@ -176,9 +176,8 @@ TEST(FunctionalJoints, LandmarksInTheRecordingAreTakenAsTheyAre) {
   expect_all_seen(motion);
   expect_joints(motion, arm, 0.0005);
   EXPECT_THAT(motion.estimated, IsEmpty());
-  EXPECT_THAT(motion.reconstruction_notes,
-              Contains("RSPU: hidden in 150 of 1000 frames, for up to 1.51 s; carried by its "
-                       "cluster in 150"));
+  EXPECT_THAT(motion.reconstruction_notes, Contains("RSPU: hidden in 150 of 1000 frames, for up to "
+                                                    "1.51 s; filled in from its cluster in 150"));
   EXPECT_THAT(motion.reconstruction_notes, Not(Contains(HasSubstr("hand:"))));
   for (const Quat& orientation : motion.wrist_orientation) ASSERT_TRUE(is_known(orientation));
   EXPECT_EQ(motion.arm_angles.rows(), 1000);

@@ -183,7 +183,7 @@ TEST(GlovedArm, EitherMayComeAlone) {
   Demonstration glove = truth.record();
   glove.streams.sensors.reset();
   HumanMotion motion = reconstruct(glove, {}, {});
-  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no body called wrist")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no body named wrist")));
   EXPECT_NEAR(motion.hand_angles(300, 5), truth.fingers(motion.time[300]).joint[5], 1e-3);
   EXPECT_FALSE(is_known(motion.tip(300, 1)));
   Demonstration arm = truth.record();
@@ -198,7 +198,7 @@ TEST(GlovedArm, OddRecordingsAreSaid) {
   Demonstration d = GlovedArm{}.record();
   for (double& t : d.streams.hand->time) t += 1e6;
   HumanMotion motion = reconstruct(d, {}, {});
-  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no instant in common")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("do not overlap in time")));
   EXPECT_EQ(motion.time.size(), 1000u);
   d = GlovedArm{}.record();
   d.sensor_offsets->sensors[1] = "knee";

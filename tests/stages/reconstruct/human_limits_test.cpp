@@ -26,10 +26,10 @@ TEST(HumanLimits, AnArmStretchedBackwardIsNoPersons) {
   add_arm_angles(none);
   EXPECT_FALSE(check_human_limits(person, {}));
   const PlanningFailure refusal = check_human_limits(none, {});
-  EXPECT_EQ(name_of(refusal.reason), "not_human");
+  EXPECT_EQ(name_of(refusal.reason), "implausible_arm");
   EXPECT_NE(refusal.detail.find("100 mm"), std::string::npos) << refusal.detail;
   HumanOptions patient;
-  patient.beyond_limits_m = 1;
+  patient.max_limit_violation_m = 1;
   EXPECT_FALSE(check_human_limits(none, patient));
 }
 

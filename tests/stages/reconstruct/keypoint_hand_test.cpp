@@ -143,7 +143,7 @@ TEST(KeypointHand, AloneHasAnglesButNoPlace) {
   EXPECT_TRUE(motion.hand_angles.allFinite());
   EXPECT_FALSE(is_known(motion.tip(0, 1)));
   EXPECT_THAT(motion.reconstruction_notes,
-              Contains("the wrist was not tracked: a hand alone holds no reach"));
+              Contains("the wrist was not tracked: a reach cannot be found without it"));
 }
 
 TEST(KeypointHand, HangsOnATrackedWrist) {
@@ -190,7 +190,8 @@ TEST(KeypointHand, TheShippedHandKeepsItsBones) {
     // The recorded palm alone goes from 81 to 111 mm.
     EXPECT_GT(motion.residuals.front().rms_m, 0.002);
     EXPECT_LT(motion.residuals.front().rms_m, 0.008);
-    EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("a hand alone holds no reach")));
+    EXPECT_THAT(motion.reconstruction_notes,
+                Contains(HasSubstr("a reach cannot be found without it")));
   });
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 BodyStream skeleton_of(const HumanMotion& motion) {
   BodyStream body;
-  body.rebuilt = true;
+  body.reconstructed = true;
   body.time = motion.time;
   body.names = {"right_shoulder", "right_elbow",     "right_wrist",
                 "right_hand",     "right_thumb_tip", "right_index_tip"};
@@ -82,8 +82,8 @@ TEST(RebuiltSkeleton, WhatHasNoConfidenceWasEstimated) {
   const HumanMotion read = motion_from_reconstructed(body, {});
   EXPECT_THAT(read.estimated, testing::ElementsAre("elbow"));
   EXPECT_THAT(read.reconstruction_notes,
-              testing::ElementsAre("estimated, not recorded, when the motion was rebuilt: elbow; "
-                                   "humanlikeness of the arm compares with an estimate"));
+              testing::ElementsAre("estimated during reconstruction, not recorded: elbow; "
+                                   "humanlikeness of the arm is relative to an estimate"));
   EXPECT_EQ(read.arm_angles.rows(), 0);
   for (std::size_t i = 0; i < 3; ++i) body.confidence(i, 1) = 1;
   EXPECT_THAT(motion_from_reconstructed(body, {}).reconstruction_notes,
@@ -92,7 +92,7 @@ TEST(RebuiltSkeleton, WhatHasNoConfidenceWasEstimated) {
 
 TEST(RebuiltSkeleton, BetweenItsTimesValuesAreOnStraightLines) {
   BodyStream body;
-  body.rebuilt = true;
+  body.reconstructed = true;
   body.time = {0, 0.02};
   body.names = {"right_wrist"};
   body.position = Array2D<Vec3>(2, 1, Vec3::Zero());

@@ -44,8 +44,9 @@ TEST(MotionFromSensors, KeepsWristAndTipsAndEstimatesTheArm) {
   const HumanOptions human;
   const HumanMotion motion = reconstruct(d, {}, human);
   EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
-  EXPECT_THAT(motion.reconstruction_notes,
-              testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: estimated")));
+  EXPECT_THAT(
+      motion.reconstruction_notes,
+      testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: it is estimated")));
   ASSERT_EQ(motion.time.size(), 200u);
   const double upper_arm = 0.186 * kDefaultStature_m, forearm = 0.146 * kDefaultStature_m;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
@@ -92,7 +93,7 @@ TEST(MotionFromSensors, TakesATrackedArm) {
 TEST(MotionFromSensors, NothingRecordedIsAProblemNotAnError) {
   const HumanMotion motion = reconstruct({}, {}, {});
   EXPECT_TRUE(motion.time.empty());
-  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no arm can be rebuilt")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no arm can be reconstructed")));
 }
 
 TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
@@ -103,7 +104,7 @@ TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
     const HumanMotion motion = reconstruct(d, {}, {});
     EXPECT_THAT(
         motion.reconstruction_notes,
-        testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: estimated")))
+        testing::ElementsAre(testing::HasSubstr("the shoulder was not recorded: it is estimated")))
         << motion.reconstruction_notes.front();
     EXPECT_THAT(motion.estimated, ElementsAre("shoulder", "elbow"));
     EXPECT_EQ(motion.time.size(), d.streams.sensors->time.size());
@@ -130,8 +131,8 @@ TEST(ReconstructOptions, AreChecked) {
   options.index_marker_to_axis_m = 12;
   EXPECT_THAT(validation_error(options), HasSubstr("marker_to_axis"));
   HumanOptions human;
-  human.reach_share = 1.2;
-  EXPECT_THAT(validation_error(human), HasSubstr("reach_share"));
+  human.max_reach_share = 1.2;
+  EXPECT_THAT(validation_error(human), HasSubstr("max_reach_share"));
 }
 
 }  // namespace

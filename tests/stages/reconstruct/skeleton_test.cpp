@@ -140,9 +140,9 @@ TEST(Skeleton, SaysWhatItLacks) {
   BodyStream& body = *truth.demonstration.streams.skeleton;
   body.names = {"RightArm", "right_elbow", "right_wrist", "a", "b", "c", "d", "e", "f"};
   HumanMotion motion = reconstruct(truth.demonstration, {}, {});
-  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no joint called right_shoulder")));
+  EXPECT_THAT(motion.reconstruction_notes, Contains(HasSubstr("no joint named right_shoulder")));
   EXPECT_THAT(motion.reconstruction_notes,
-              Contains(HasSubstr("how the hand is turned is not known")));
+              Contains(HasSubstr("the orientation of the hand is unknown")));
   EXPECT_THAT(motion.reconstruction_notes, Contains("the skeleton has no fingertips"));
   EXPECT_FALSE(is_known(motion.shoulder[10]));
   EXPECT_TRUE(is_known(motion.elbow[10]));

@@ -19,8 +19,8 @@ TEST(IntervalWorld, TouchingNeedsTheWholeIntervalUnlessLenient) {
   bench.world.touch_end_s = 2;
   const IntervalWorld inside = interval_world(bench.world, 1.2, 1.8, 0.002, TouchRule::strict);
   EXPECT_EQ(inside.world.environment.touch_begin_s, 1);
-  EXPECT_DOUBLE_EQ(inside.world.environment.tolerances.margin, 0.003);
-  EXPECT_DOUBLE_EQ(inside.world.environment.tolerances.contact_depth, 0.004);
+  EXPECT_DOUBLE_EQ(inside.world.environment.tolerances.required_clearance, 0.003);
+  EXPECT_DOUBLE_EQ(inside.world.environment.tolerances.max_penetration, 0.004);
   const IntervalWorld strict = interval_world(bench.world, 0.5, 1.5, 0, TouchRule::strict);
   EXPECT_TRUE(std::isnan(strict.world.environment.touch_begin_s));
   const IntervalWorld lenient = interval_world(bench.world, 0.5, 1.5, 0, TouchRule::lenient);

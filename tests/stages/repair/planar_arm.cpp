@@ -30,8 +30,8 @@ RobotModel planar_arm() {
   tip.frame = 2;
   tip.transform.translation() = Vec3(0.4, 0, 0);
   robot.tips.push_back(tip);
-  robot.centres.push_back({1, "arm"});
-  robot.allowed_pairs = {{0, 1}, {1, 2}};
+  robot.joint_centres.push_back({1, "arm"});
+  robot.allowed_collision_pairs = {{0, 1}, {1, 2}};
   robot.palm_frame = 2;
   return robot;
 }
@@ -80,12 +80,14 @@ std::vector<Finding> Bench::collisions(const JointPath& path) const {
         scratch);
     const bool bad = edge.verdict != collision::MotionVerdict::free;
     if (bad && !open)
-      findings.push_back({begin_s, end_s, edge.pair.other_is_object ? Cause::object : Cause::self,
-                          collision::first_body_name(world, edge.pair),
-                          collision::second_body_name(world, edge.pair), 0});
+      findings.push_back(
+          {begin_s, end_s,
+           edge.pair.other_is_object ? Cause::object_collision : Cause::self_collision,
+           collision::first_body_name(world, edge.pair),
+           collision::second_body_name(world, edge.pair), 0});
     if (bad) {
       findings.back().end_s = end_s;
-      findings.back().depth = std::max(findings.back().depth, -edge.pair.slack());
+      findings.back().excess = std::max(findings.back().excess, -edge.pair.slack());
     }
     open = bad;
   }

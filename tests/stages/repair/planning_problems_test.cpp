@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "core/moveit/problem.hpp"
 #include "stages/repair/connect.hpp"
 #include "stages/repair/path_smoothing.hpp"
+#include "tests/support/moveit_problem.hpp"
 
 namespace morphe::repair {
 namespace {

@@ -58,7 +58,7 @@ TEST(Ladder, ARungMayEndIt) {
   EXPECT_EQ(result.value.path.position, path.position);
   EXPECT_EQ(result.value.remaining.size(), 1u);
   ASSERT_EQ(result.value.attempts.size(), 1u);
-  EXPECT_EQ(result.value.attempts[0].ended, "no posture");
+  EXPECT_EQ(result.value.attempts[0].stop_reason, "no posture");
 }
 
 TEST(Ladder, ItsStepsSayWhatEachRungChangedAndLeft) {
@@ -66,7 +66,7 @@ TEST(Ladder, ItsStepsSayWhatEachRungChangedAndLeft) {
   JointPath nudged = path;
   nudged.position(40, 0) += 0.25;
   nudged.position(60, 1) -= 0.125;
-  const Finding touch{0.4, 0.6, Cause::object, "palm", "post", 0.02},
+  const Finding touch{0.4, 0.6, Cause::object_collision, "palm", "post", 0.02},
       off{0.5, 0.5, Cause::tracking, "tip", "", 0.003};
   const RepairStrategy nudge{"nudge", [&](const CheckedPath&) {
                                return StrategyResult{{nudged, {off}}};
@@ -84,18 +84,18 @@ TEST(Ladder, ItsStepsSayWhatEachRungChangedAndLeft) {
   const RepairStep &kept = made.attempts[0], &tired = made.attempts[1], &attempt = made.attempts[2];
   EXPECT_EQ(kept.name, "nudge");
   EXPECT_EQ(kept.level, 0);
-  EXPECT_TRUE(kept.kept);
+  EXPECT_TRUE(kept.accepted);
   EXPECT_EQ(kept.begin_s, path.demonstration_time[40]);
   EXPECT_EQ(kept.end_s, path.demonstration_time[60]);
-  EXPECT_DOUBLE_EQ(kept.change, 0.25);
-  EXPECT_EQ(kept.findings, 1);
-  EXPECT_EQ(kept.collisions, 0);
-  EXPECT_EQ(kept.others, 0.003);
-  EXPECT_EQ(kept.worst, sentence(off));
-  EXPECT_FALSE(tired.kept);
-  EXPECT_EQ(tired.ended, "tired");
-  EXPECT_EQ(tired.worst, sentence(touch)) << "collisions first";
-  EXPECT_EQ(tired.collisions, 0.02);
+  EXPECT_DOUBLE_EQ(kept.max_joint_change, 0.25);
+  EXPECT_EQ(kept.finding_count, 1);
+  EXPECT_EQ(kept.collision_depth_sum, 0);
+  EXPECT_EQ(kept.other_depth_sum, 0.003);
+  EXPECT_EQ(kept.worst_finding, sentence(off));
+  EXPECT_FALSE(tired.accepted);
+  EXPECT_EQ(tired.stop_reason, "tired");
+  EXPECT_EQ(tired.worst_finding, sentence(touch)) << "collisions first";
+  EXPECT_EQ(tired.collision_depth_sum, 0.02);
   EXPECT_EQ(attempt.level, 1);
   EXPECT_EQ(attempt.name, "first try");
 }
@@ -111,7 +111,7 @@ TEST(Ladder, DepthOfCollisionsComesFirst) {
   const auto finding = [](Cause cause, double depth) {
     return Finding{0, 1, cause, "", "", depth};
   };
-  const Finding touch = finding(Cause::self, 0.001), crash = finding(Cause::table, 0.05),
+  const Finding touch = finding(Cause::self_collision, 0.001), crash = finding(Cause::table, 0.05),
                 off = finding(Cause::tracking, 0.3);
   EXPECT_TRUE(is_better({}, {off}));
   EXPECT_TRUE(is_better({off}, {touch}));

@@ -135,11 +135,11 @@ TEST(Repair, SaysWhenThereIsNoPath) {
   const Bench bench({post("post", 0.2, 0), post("outer", 0.6, 0)});
   const JointPath path = sweep(kFrom, kTo);
   RepairOptions options;
-  options.iterations = 300;
+  options.max_iterations = 300;
   const Outcome<RepairResult> result = repair(bench, path, nullptr, options);
   EXPECT_EQ(result.failure.reason, Reason::no_path);
   EXPECT_THAT(result.failure.detail, HasSubstr("post"));
-  EXPECT_EQ(no_path_message(options), "no free path in 3 attempts of 300 iterations");
+  EXPECT_EQ(no_path_message(options), "no collision-free path in 3 attempts of 300 iterations");
   EXPECT_FALSE(result.value.repaired);
   EXPECT_FALSE(result.value.remaining.empty());
 }
@@ -250,7 +250,7 @@ TEST(Repair, StopsWhereCoursesFailAtTheSamePlace) {
   EXPECT_EQ(course, 6u) << "neither the second nor the fourth fail where the path does";
   EXPECT_EQ(result.failure.reason, Reason::tracking);
   ASSERT_EQ(result.value.remaining.size(), 1u);
-  EXPECT_EQ(result.value.remaining[0].depth, 0.0040);
+  EXPECT_EQ(result.value.remaining[0].excess, 0.0040);
 }
 
 TEST(Repair, NamesTheWorstOfWhatPlanningCannotCure) {
@@ -302,7 +302,7 @@ TEST(Repair, TheReferenceRobotTakesItsForearmAroundABall) {
   const JointPath path = sweep(from, to);
   std::vector<Pose> frames;
   robot::forward_kinematics(robot, path.position.row(50), frames);
-  const Vec3 elbow = frames[static_cast<std::size_t>(robot.centres[0].frame)].translation();
+  const Vec3 elbow = frames[static_cast<std::size_t>(robot.joint_centres[0].frame)].translation();
   const Vec3 palm = frames[static_cast<std::size_t>(robot.palm_frame)].translation();
   SceneObject ball = post("ball", 0, 0);
   ball.shape = Shape::sphere;

@@ -112,7 +112,7 @@ TEST(Retime, KeptMakesUpForWhatTheLimitsTook) {
   });
   RetimeOptions options;
   const double human_s = retime_valid(robot, path, options).value.trajectory.time.back();
-  options.mode = RetimeMode::kept;
+  options.mode = RetimeMode::catch_up;
   const Trajectory kept = retime_valid(robot, path, options).value.trajectory;
   EXPECT_GT(human_s, 10.1);
   EXPECT_NEAR(kept.time.back(), 10, 0.1);
@@ -243,7 +243,7 @@ TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
   for (const double share : {1.0, 0.6}) {
     RetimeOptions options;
     options.mode = RetimeMode::fastest;
-    options.limit_share = share;
+    options.limit_scaling = share;
     const auto result = retime_valid(robot, path, options);
     const Trajectory& t = result.value.trajectory;
     double worst = 0;
@@ -254,7 +254,7 @@ TEST(Retime, BrakingCurvesHoldAlongTheTrajectory) {
           const double s = piece.duration * part / 8;
           const double q = math::value_at(piece, s), v = math::value_at(piece, s, 1);
           const double way = v > 0 ? curve.upper_end - q : q - curve.lower_end;
-          const double left = std::sqrt(curve.slope * way) - curve.drop;
+          const double left = std::sqrt(curve.twice_deceleration * way) - curve.velocity_offset;
           if (std::abs(v) > 1e-9) worst = std::max(worst, std::abs(v) / left);
         }
       }
@@ -333,16 +333,16 @@ TEST(Retime, TheLastSampleIsInThePhaseThatEndsThere) {
 TEST(Retime, RefusesWhatIsNoPath) {
   const RobotModel robot = robot_with(2, 1, 3, 30);
   const auto line = [](double t, Eigen::Index) { return t; };
-  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).failure.reason, Reason::path);
+  EXPECT_EQ(retime(robot, JointPath{}, {}, {}).failure.reason, Reason::invalid_path);
   JointPath path = path_of(11, 2, 1, line);
   path.position(3, 1) = kUnknown;
-  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::path);
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::invalid_path);
   path = path_of(11, 2, 1, line);
   path.demonstration_time[5] = 0;
-  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::path);
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::invalid_path);
   path = path_of(11, 2, 1, line);
   path.position(4, 0) = 3.01;
-  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
+  EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::joint_limit);
 }
 
 TEST(Retime, FastestComesCloseToTheClosedFormAfterSampling) {
@@ -374,7 +374,7 @@ TEST(Retime, ADurationIsMetOrRefused) {
     EXPECT_NEAR(retime_valid(robot, path, options).value.trajectory.time.back(), duration_s, 0.002);
   }
   options.duration_s = 0.9 * least;
-  EXPECT_EQ(retime(robot, path, Movement{}, options).failure.reason, Reason::duration);
+  EXPECT_EQ(retime(robot, path, Movement{}, options).failure.reason, Reason::duration_too_short);
 }
 
 TEST(Retime, AnyDurationFromTheFastestOnIsMet) {
@@ -426,7 +426,7 @@ TEST(Retime, ATipIsNoFasterThanItsLimit) {
   const JointPath path =
       path_of(121, 1, 1.2, [](double t, Eigen::Index) { return 0.6 * minimum_jerk(t / 1.2); });
   RetimeOptions options;
-  options.tip_speed = 0.1;
+  options.max_tip_speed = 0.1;
   const Trajectory t = retime_valid(robot, path, options).value.trajectory;
   EXPECT_NEAR(t.velocity.maxCoeff() * 0.5, 0.1, 1e-3);
 }
@@ -452,33 +452,46 @@ TEST(Retime, LimitsThatAreNoneAreNone) {
   for (const double bad : {0.0, -1.0, kUnknown}) {
     RobotModel robot = robot_with(1, 1, 3, 30);
     robot.acceleration[0] = bad;
-    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::joint_limit);
     robot = robot_with(1, 1, bad, 30);
-    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::joint_limit);
     robot = robot_with(1, 1, 3, 30);
     robot.upper[0] = kUnknown;
-    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::limit);
+    EXPECT_EQ(retime(robot, path, {}, {}).failure.reason, Reason::joint_limit);
   }
 }
 
 TEST(Retime, OptionsAreReadAndChecked) {
   RetimeOptions options;
   config::read_options(
-      config::ConfigNode::parse("{sample_rate_hz: 250, limit_share: 0.8, tip_speed: 0.5, "
+      config::ConfigNode::parse("{sample_rate_hz: 250, limit_scaling: 0.8, max_tip_speed: 0.5, "
                                 "phase_speed: [{phase: grasp, scale: 0.5}]}",
                                 "x"),
       options);
   EXPECT_EQ(options.sample_rate_hz, 250);
-  EXPECT_EQ(options.limit_share, 0.8);
-  EXPECT_EQ(options.tip_speed, 0.5);
+  EXPECT_EQ(options.limit_scaling, 0.8);
+  EXPECT_EQ(options.max_tip_speed, 0.5);
   EXPECT_EQ(options.phase_speed.front().phase, PhaseKind::grasp);
-  for (const char* wrong :
-       {"{limit_share: 1.5}", "{mode: quick}", "{mode: duration}", "{duration_s: 2}",
-        "{phase_speed: [{phase: lunch, scale: 1}]}", "{tip_speed: 0}"}) {
+  const auto error_of = [](const std::string& yaml) -> std::string {
     RetimeOptions other;
-    EXPECT_THROW(config::read_options(config::ConfigNode::parse(wrong, "x"), other), InputError)
-        << wrong;
-  }
+    try {
+      config::read_options(config::ConfigNode::parse(yaml, "x"), other);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_of("{limit_scaling: 1.5}"), "x:1: limit_scaling: must lie in [0.001, 1]");
+  EXPECT_EQ(error_of("{mode: quick}"),
+            "x:1: mode: must be human, fastest, duration or catch_up, not 'quick'");
+  EXPECT_EQ(error_of("{mode: duration}"),
+            "x:1: duration_s must be given with mode duration, and only with it");
+  EXPECT_EQ(error_of("{duration_s: 2}"),
+            "x:1: duration_s: must be given with mode duration, and only with it");
+  EXPECT_EQ(error_of("{phase_speed: [{phase: lunch, scale: 1}]}"),
+            "x:1: phase_speed[0].phase: must be rest, reach, preshape, grasp, hold, transport or "
+            "return, not 'lunch'");
+  EXPECT_EQ(error_of("{max_tip_speed: 0}"), "x:1: max_tip_speed: must be at least 0.001");
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ const SceneObject& cup_of(const Scene& scene) { return scene.objects.back(); }
 
 SceneOptions by(const Vec3& position, const Vec3& rpy) {
   SceneOptions options;
-  options.target.moved = {position, rpy};
+  options.target.pose_offset = {position, rpy};
   return options;
 }
 
@@ -91,7 +91,7 @@ TEST(MoveTarget, TheGraspIsTheSameInTheTargetsFrame) {
   EXPECT_EQ(m.motion.estimated, std::vector<std::string>{"transported"});
   ASSERT_EQ(m.motion.reconstruction_notes.size(), 1u);
   EXPECT_THAT(m.motion.reconstruction_notes[0],
-              testing::HasSubstr("cup stands 94 mm from where it stood, turned by 34 degrees"));
+              testing::HasSubstr("cup is 94 mm from its recorded position, rotated by 34 degrees"));
 }
 
 TEST(MoveTarget, AShiftIsBlendedInByMinimumJerk) {
@@ -137,7 +137,7 @@ TEST(MoveTarget, AnAbsolutePlaceIsTheSameAsTheShiftToIt) {
   const Reach r;
   const Vec3 shift(0.03, -0.06, 0);
   SceneOptions placed;
-  placed.target.placed = TargetPose{cup_of(r.scene).position[0] + shift, Vec3(0, 0, 0.4)};
+  placed.target.pose = TargetPose{cup_of(r.scene).position[0] + shift, Vec3(0, 0, 0.4)};
   const RelocatedMovement a = r.moved(placed), b = r.moved(by(shift, Vec3(0, 0, 0.4)));
   for (std::size_t i = 0; i < r.motion.time.size(); ++i) {
     EXPECT_TRUE(hand_at(a.motion, i).isApprox(hand_at(b.motion, i), 1e-12));
@@ -179,15 +179,16 @@ TEST(MoveTarget, NothingToMoveChangesNothing) {
   without.movement.phases = {{PhaseKind::reach, 0.2, 1.2, 1}};
   const RelocatedMovement none = without.moved(by(Vec3(0.1, 0, 0), Vec3::Zero()));
   EXPECT_EQ(none.motion.wrist[150], without.motion.wrist[150]);
-  EXPECT_THAT(none.motion.reconstruction_notes, testing::ElementsAre(testing::HasSubstr("no target")));
+  EXPECT_THAT(none.motion.reconstruction_notes,
+              testing::ElementsAre(testing::HasSubstr("no target")));
 }
 
 TEST(MoveTarget, IsAskedForOneWayOnly) {
   TargetOptions options;
-  options.moved.position = Vec3(0.1, 0, 0);
+  options.pose_offset.position = Vec3(0.1, 0, 0);
   EXPECT_EQ(validation_error(options), "");
-  options.placed = TargetPose{};
-  EXPECT_THAT(validation_error(options), testing::HasSubstr("placed: "));
+  options.pose = TargetPose{};
+  EXPECT_THAT(validation_error(options), testing::HasSubstr("pose: "));
 }
 
 }  // namespace

@@ -116,9 +116,9 @@ TEST(OtherArm, AHandWithoutFingersGoesOnFromItsWrist) {
   EXPECT_LT((ends(capsules[2], 1.5)[1] - arm.motion.wrist[150] - length * arm.along(150)).norm(),
             1e-9);
   EXPECT_THAT(
-      notes, ElementsAre(HasSubstr("no fingertip seen in 100 of 201 frames: there the hand lies as "
-                                   "the hand is turned"),
-                         HasSubstr("in 101 of 201 frames: there the hand lies straight on from")));
+      notes, ElementsAre(HasSubstr("no fingertip seen in 100 of 201 frames: there the hand is "
+                                   "placed along the hand's orientation"),
+                         HasSubstr("in 101 of 201 frames: there the hand is placed in line with")));
 }
 
 TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
@@ -127,14 +127,14 @@ TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
   arm.motion.shoulder.assign(201, unknown_point());
   EXPECT_THAT(names(other_arm_capsules({}, arm.motion, notes)),
               ElementsAre("other forearm", "other hand"));
-  EXPECT_THAT(notes, ElementsAre("other upper arm was not recorded: it is no obstacle"));
+  EXPECT_THAT(notes, ElementsAre("other upper arm was not recorded: it is not an obstacle"));
 
   notes.clear();
   LeftArm guessed;
   guessed.motion.estimated = {"shoulder", "elbow", "fingertips"};
   EXPECT_EQ(other_arm_capsules({}, guessed.motion, notes).size(), 3u);
-  EXPECT_THAT(notes, ElementsAre("the person's other arm: shoulder and elbow not recorded: it lies "
-                                 "where it is estimated"));
+  EXPECT_THAT(notes,
+              ElementsAre("the person's other arm: shoulder and elbow not recorded: estimated"));
 
   for (const HumanMotion& nothing : {HumanMotion{}, [] {
                                        HumanMotion hidden = LeftArm().motion;
@@ -144,7 +144,8 @@ TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
                                      }()}) {
     notes.clear();
     EXPECT_THAT(other_arm_capsules({}, nothing, notes), IsEmpty());
-    EXPECT_THAT(notes, ElementsAre("the person's other arm was not recorded: it is no obstacle"));
+    EXPECT_THAT(notes,
+                ElementsAre("the person's other arm was not recorded: it is not an obstacle"));
   }
 
   notes.clear();
@@ -152,7 +153,8 @@ TEST(OtherArm, WhatIsMissingOrEstimatedIsSaid) {
   torn.motion.wrist[70] += 0.3 * torn.along(70);
   other_arm_capsules({}, torn.motion, notes);
   EXPECT_THAT(notes,
-              testing::Contains(HasSubstr("other forearm: 250 mm long, but 560 mm in a frame")));
+              testing::Contains(HasSubstr(
+                  "other forearm: 250 mm long, but its joints are 560 mm apart in a frame")));
 }
 
 TEST(OtherArm, IsNeverWhatIsGrasped) {
@@ -198,20 +200,19 @@ TEST(OtherArm, IsNeverWhatIsGrasped) {
 TEST(OtherArm, ItsKeysAreChecked) {
   SceneOptions options;
   options.other_arm_radii = {0.05, 0.05};
-  EXPECT_THAT(validation_error(options),
-              HasSubstr("other_arm_radii: needs those of upper arm, forearm"));
+  EXPECT_THAT(validation_error(options), HasSubstr("other_arm_radii: needs three positive radii"));
   options.other_arm_radii = {0.05, 0, 0.05};
-  EXPECT_THAT(validation_error(options), HasSubstr("all positive"));
+  EXPECT_THAT(validation_error(options), HasSubstr("three positive radii"));
   options = {};
   ConfiguredObject object;
   object.name = "other hand";
   options.objects = {object};
   EXPECT_EQ(validation_error(options), "");
   options.other_arm = true;
-  EXPECT_EQ(validation_error(options), "objects: the name 'other hand' is taken");
+  EXPECT_EQ(validation_error(options), "objects: the name 'other hand' is already used");
   options.objects.clear();
   options.target.name = "other forearm";
-  EXPECT_THAT(validation_error(options), HasSubstr("is the other arm's"));
+  EXPECT_THAT(validation_error(options), HasSubstr("is used by the other arm"));
 }
 
 }  // namespace

@@ -254,7 +254,8 @@ TEST(SceneOptions, ConfiguredObjectsStandInTheScene) {
       "objects:\n"
       "  - {name: post, shape: cylinder, size: [0.02, 0.3], position: [0.1, 0.2, 0.15],\n"
       "     rpy: [0, 90 deg, 0]}\n"
-      "  - {name: hidden, shape: sphere, size: [0.05], position: [1, 1, 1], in_mapping: false}\n");
+      "  - {name: hidden, shape: sphere, size: [0.05], position: [1, 1, 1], avoid_in_mapping: "
+      "false}\n");
   Grasping g;
   const Scene scene = build_scene(options, {}, g.motion, g.movement);
   EXPECT_THAT(names(scene), ElementsAre("post", "hidden", "table", "cup"));
@@ -271,7 +272,7 @@ TEST(SceneOptions, WrittenOptionsReadBackTheSame) {
   post.size = {0.1, 0.2, 0.3};
   post.position = Vec3(1, 2, 3);
   post.rpy = Vec3(0, 0, 1);
-  post.in_mapping = false;
+  post.avoid_in_mapping = false;
   options.objects = {post};
   const std::string written = config::write_options(options);
   EXPECT_EQ(config::write_options(read(written)), written);
@@ -287,7 +288,7 @@ TEST(RelativeObjects, StandInTheFrameThatTheyName) {
   frames.shoulder = Vec3(0, 0, 1.2);
   SceneOptions options = read(
       "objects:\n"
-      "  - {name: a, shape: box, size: [0.2, 0.4, 0.1], relative_to: table, anchor: foot,"
+      "  - {name: a, shape: box, size: [0.2, 0.4, 0.1], relative_to: table, anchor: bottom_centre,"
       " position: [0.1, 0, 0], rpy: [0, 0, 90 deg]}\n"
       "  - {name: b, shape: sphere, size: [0.1], relative_to: target, position: [0.3, 0, 0]}\n"
       "  - {name: c, shape: sphere, size: [0.1], relative_to: shoulder, position: [0.3, 0, 0]}\n"
@@ -304,10 +305,10 @@ TEST(RelativeObjects, StandInTheFrameThatTheyName) {
 
   frames.base_from_target = unknown_pose();
   EXPECT_EQ(add_relative_objects(options, frames, 5, scene),
-            "b stands relative to the target, and there is none in this movement");
+            "b is placed relative to the target, which does not exist in this movement");
   EXPECT_THAT(error_of("table: {infer: false}\nobjects: [{name: a, shape: sphere, size: [1], "
                        "relative_to: table, position: [0, 0, 0]}]"),
-              HasSubstr("a is relative_to: table, and table.infer: false"));
+              HasSubstr("a is relative_to: table, but table.infer is false"));
 }
 
 TEST(SceneOptions, PositionsInMillimetresAreNoticed) {
@@ -323,12 +324,13 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   EXPECT_THAT(error_of(with("shape: cone, size: [1]")),
               testing::StartsWith("c.yaml:3: objects[0].shape: must be sphere, box, "));
   EXPECT_THAT(error_of(with("shape: mesh")),
-              testing::StartsWith("c.yaml:3: objects[0]: file: a mesh needs one"));
+              testing::StartsWith("c.yaml:3: objects[0]: file: required for a mesh"));
   EXPECT_THAT(error_of(with("shape: mesh, file: nowhere.stl")),
               testing::StartsWith("c.yaml:3: objects[0].file: nowhere.stl cannot be read"));
   EXPECT_THAT(error_of(with("shape: mesh, file: cup.step")), HasSubstr("STL, OBJ, DAE or glTF"));
   EXPECT_THAT(error_of(with("shape: convex, file: a.stl, scale: 0")), HasSubstr("scale"));
-  EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")), HasSubstr("has none"));
+  EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")),
+              HasSubstr("not allowed for a sphere"));
   EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
               testing::StartsWith("c.yaml:3: objects[0].size: must be positive"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1, 1]")),
@@ -337,7 +339,7 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   EXPECT_THAT(error_of("target: {max_radius: 0.001}"), HasSubstr("max_radius"));
   EXPECT_THAT(error_of("table: {thickness: 0}"), HasSubstr("c.yaml:1: table.thickness"));
   EXPECT_THAT(error_of("objects: [{name: cup, shape: sphere, size: [1], position: [0, 0, 0]}]"),
-              HasSubstr("the name 'cup' is taken"));
+              HasSubstr("the name 'cup' is already used"));
   EXPECT_THAT(error_of("tabel: {}"), HasSubstr("tabel"));
   EXPECT_THAT(error_of("file: nowhere.yaml"), HasSubstr("nowhere.yaml"));
 }
@@ -402,7 +404,7 @@ TEST_F(MeshFiles, ConvexFillsWhatIsHollow) {
   EXPECT_THAT(error_of(object_of("convex", write("flat.obj",
                                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
                                                  "f 1 2 3\nf 2 4 3\n"))),
-              HasSubstr("it is flat"));
+              HasSubstr("the mesh is flat"));
 }
 
 TEST_F(MeshFiles, BrokenOnesAreNamedWithFileAndKey) {
@@ -439,7 +441,7 @@ TEST_F(MeshFiles, MetresTakenForMillimetresAreNoticed) {
   const std::string text =
       "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
   EXPECT_THAT(error_of(object_of("mesh", write("small.obj", text))),
-              HasSubstr("0.1 mm long with scale: 0.001: leave scale out"));
+              HasSubstr("0.1 mm long with scale: 0.001: omit scale"));
 }
 
 TEST_F(MeshFiles, AreTargetsThatStandWhereTheyAreHeld) {
@@ -457,7 +459,7 @@ TEST_F(MeshFiles, AreTargetsThatStandWhereTheyAreHeld) {
   EXPECT_EQ(target.attach_s, 6.5);
 
   const SceneOptions held =
-      read(body + ", scale: 0.001, held_at: [0.1, 0]}}\ntable: {height: 0.01}\n");
+      read(body + ", scale: 0.001, grasp_point: [0.1, 0]}}\ntable: {height: 0.01}\n");
   Grasping again;
   const Scene other = build_scene(held, {}, again.motion, again.movement);
   EXPECT_TRUE(object(other, "cup").position[0].isApprox(Vec3(0.1, 0.3, 0.01), 1e-7));
@@ -465,11 +467,11 @@ TEST_F(MeshFiles, AreTargetsThatStandWhereTheyAreHeld) {
   EXPECT_THAT(error_of(body + "}}\n"),
               testing::AllOf(testing::StartsWith("c.yaml:1: target.body.file: "),
                              HasSubstr("100 m long: give scale: 0.001")));
-  EXPECT_THAT(error_of(body + ", scale: 0.001, held_at: [1]}}\n"),
-              HasSubstr("held_at: needs x and y"));
-  EXPECT_THAT(error_of("target: {body: {size: [1]}}"), HasSubstr("file: a mesh needs one"));
+  EXPECT_THAT(error_of(body + ", scale: 0.001, grasp_point: [1]}}\n"),
+              HasSubstr("grasp_point: needs x and y"));
+  EXPECT_THAT(error_of("target: {body: {size: [1]}}"), HasSubstr("file: required for a mesh"));
   EXPECT_THAT(error_of("target: {radius: 0.1, body: {shape: sphere, size: [0.1]}}"),
-              HasSubstr("radius: the body has a size of its own"));
+              HasSubstr("radius: not allowed together with body, which has its own size"));
 }
 
 TEST_F(MeshFiles, GiveARecordedTargetItsShapeInItsFrame) {

@@ -47,7 +47,7 @@ SyntheticHand still_fingers() {
 std::vector<ObjectMotion> motions_of(const SyntheticHand& hand,
                                      const std::vector<SceneObject>& objects) {
   const HumanMotion motion = hand.motion();
-  const HandSignals signals = hand_signals(motion, SegmentOptions{}.smoothing);
+  const HandSignals signals = hand_signals(motion, SegmentOptions{}.velocity_smoothing_s);
   return motions_by_hand(object_motions(objects, 0.005),
                          find_interactions(motion, signals, objects), signals);
 }

@@ -158,7 +158,7 @@ TEST(Segment, AReachWithoutAPauseEndsAtTheSlowestPoint) {
               &reach = phase(movements[0], PhaseKind::reach);
   EXPECT_GT(grasp.begin_s, 1.45);
   EXPECT_LT(grasp.end_s, 1.65);
-  EXPECT_NEAR(grasp.end_s - grasp.begin_s, SegmentOptions{}.least_grasp, 1e-9);
+  EXPECT_NEAR(grasp.end_s - grasp.begin_s, SegmentOptions{}.min_grasp_s, 1e-9);
   EXPECT_EQ(reach.end_s, grasp.begin_s);
   EXPECT_LT(grasp.confidence, 1);
 }
@@ -196,7 +196,7 @@ TEST(Segment, AReachThatTouchesATargetHasNoGrasp) {
               ElementsAre(PhaseKind::reach, PhaseKind::hold, PhaseKind::return_phase));
   const Phase& reach = phase(movements[0], PhaseKind::reach);
   EXPECT_EQ(movements[0].begin_s, reach.begin_s);
-  EXPECT_NEAR(movements[0].end_s, reach.end_s + SegmentOptions{}.touch_hold, 1e-9);
+  EXPECT_NEAR(movements[0].end_s, reach.end_s + SegmentOptions{}.hold_after_touch_s, 1e-9);
 }
 
 TEST(Segment, ARecordedObjectThatMovesMarksTheTransport) {
@@ -242,21 +242,24 @@ TEST(Segment, AHandThatPausesBeforeItHasTheObjectGraspsWhereItHasIt) {
     const double set_out_s =
         phase(segment(hand.motion(), options, {box}).at(0), PhaseKind::grasp).end_s;
     EXPECT_NEAR(set_out_s, 1.9 + rise_s(0.05, 0.9), 0.01);
-    options.until_taken = true;
+    options.until_grasped = true;
     const Movement movement = segment(hand.motion(), options, {box}).at(0);
     expect_in_order(movement);
-    // The object is seen to move within a frame after it has gone object_motion; the hand, which
-    // has it as it has gone before_m, is then twice object_motion farther than at the grasp's end.
+    // The object is seen to move within a frame after it has gone min_object_displacement; the
+    // hand, which has it as it has gone before_m, is then twice min_object_displacement farther
+    // than at the grasp's end.
     const double seen_s = [&] {
       double t = lift.begin_s;
-      while (gone_m(t) < before_m + options.object_motion) t += 0.01;
+      while (gone_m(t) < before_m + options.min_object_displacement) t += 0.01;
       return t;
     }();
     const double taken_s = phase(movement, PhaseKind::grasp).end_s;
     if (taken_s > set_out_s + 1e-9) {
-      EXPECT_NEAR(gone_m(seen_s) - gone_m(taken_s), 2 * options.object_motion, 2e-4) << before_m;
+      EXPECT_NEAR(gone_m(seen_s) - gone_m(taken_s), 2 * options.min_object_displacement, 2e-4)
+          << before_m;
     } else {
-      EXPECT_LT(gone_m(seen_s) - gone_m(set_out_s), 2 * options.object_motion) << before_m;
+      EXPECT_LT(gone_m(seen_s) - gone_m(set_out_s), 2 * options.min_object_displacement)
+          << before_m;
     }
   }
 }
@@ -379,7 +382,7 @@ TEST(Segment, AWholeRecordingIsOneMovementWhateverMoves) {
       motion.tip(i, finger) = unknown_point();
   }
   SegmentOptions options;
-  options.whole = true;
+  options.whole_recording = true;
   const std::vector<Movement> movements = segment(motion, options);
   ASSERT_EQ(movements.size(), 1u);
   EXPECT_EQ(movements[0].begin_s, motion.time[20]);
@@ -399,8 +402,8 @@ TEST(SegmentOptions, CheckNamesTheKey) {
   options.dip_share = 1.5;
   EXPECT_THAT(validation_error(options), testing::StartsWith("dip_share: "));
   options = {};
-  options.least_reach = -1;
-  EXPECT_THAT(validation_error(options), testing::StartsWith("least_reach: "));
+  options.min_reach_distance = -1;
+  EXPECT_THAT(validation_error(options), testing::StartsWith("min_reach_distance: "));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ inline RobotModel gripper_table() {
   robot.capsules = {{"palm", 0, Vec3(-0.05, 0.03, 0), Vec3(-0.05, -0.03, 0), 0.02, true},
                     {"thumb", 1, Vec3::Zero(), end, 0.01, true},
                     {"index", 2, Vec3::Zero(), end, 0.01, true}};
-  robot.allowed_pairs = {{0, 1}, {0, 2}};
+  robot.allowed_collision_pairs = {{0, 1}, {0, 2}};
   return robot;
 }
 
@@ -56,7 +56,7 @@ inline Plan cup_plan() {
   plan.movement.phases = {{PhaseKind::reach, 0, 0.3}, {PhaseKind::grasp, 0.3, 0.5}};
   plan.scene.objects = {standing("cup", Shape::cylinder, {0.03, 0.1}, Vec3(0.08, 0, 0.1)),
                         standing("table", Shape::box, {1, 1, 0.02}, Vec3(0, 0, 0.04))};
-  plan.world.base_from_world = Pose::Identity();
+  plan.reference_frames.base_from_world = Pose::Identity();
   plan.goals.time = {0};
   plan.goals.tip_position = Array2D<Vec3>(1, 2, Vec3::Zero());
   Trajectory& t = plan.trajectory;
@@ -76,7 +76,7 @@ inline Plan cup_plan() {
   }
   plan.grasp.sample = 30;
   plan.grasp.base_from_object = Pose(Eigen::Translation3d(0.08, 0, 0.1));
-  plan.grasp.hand_posture = t.position.row(30).transpose();
+  plan.grasp.grasp_posture = t.position.row(30).transpose();
   return plan;
 }
 
@@ -86,15 +86,15 @@ inline void add_squeeze(Plan& plan) {
   thumb.tip = "thumb_tip";
   thumb.point = Vec3(0, 0.03, 0);
   thumb.normal = Vec3(0, -1, 0);
-  thumb.force = index.force = 5;
+  thumb.normal_force = index.normal_force = 5;
   index.tip = silent.tip = "index_tip";
   index.point = Vec3(0, -0.03, 0);
   index.normal = Vec3(0, 1, 0);
   plan.grasp.contacts = {thumb, index, silent};
   const double closed = std::asin(0.02 / 0.08);  // the tips' axes 40 mm from the cup's
-  plan.grasp.hand_posture = Eigen::Vector3d(0, -closed, closed);
-  plan.grasp.squeeze_torque = Eigen::Vector3d(0, -0.4, 0.4);
-  plan.grasp.squeeze_posture = plan.grasp.hand_posture + plan.grasp.squeeze_torque / 10;
+  plan.grasp.grasp_posture = Eigen::Vector3d(0, -closed, closed);
+  plan.grasp.grasp_torque = Eigen::Vector3d(0, -0.4, 0.4);
+  plan.grasp.servo_target = plan.grasp.grasp_posture + plan.grasp.grasp_torque / 10;
 }
 
 }  // namespace morphe::simulate

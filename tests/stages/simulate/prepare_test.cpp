@@ -51,7 +51,7 @@ TEST(Prepare, ThePlansSqueezeComesFirst) {
   EXPECT_EQ(squeeze.finger_forces[0].force_N, 5);
   // Servos of the stiffness that it was planned for are sent where it says.
   const JointVector sent = squeeze.closed_posture + squeeze.servo_offset;
-  EXPECT_LT((sent - plan.grasp.squeeze_posture).tail(2).norm(), 1e-12);
+  EXPECT_LT((sent - plan.grasp.servo_target).tail(2).norm(), 1e-12);
   EXPECT_EQ(stored.plan.program.control.row(stored.plan.program.grasp_end - 1).tail(2),
             sent.transpose().tail(2));
   // Softer ones farther, stronger ones no farther than their limit.
@@ -72,7 +72,7 @@ TEST(Prepare, ThePlansSqueezeComesFirst) {
 TEST(Prepare, ASqueezeThatIsBrokenIsNone) {
   Plan plan = cup_plan();
   add_squeeze(plan);
-  plan.grasp.squeeze_torque[1] = kUnknown;
+  plan.grasp.grasp_torque[1] = kUnknown;
   EXPECT_FALSE(prepare(gripper(), plan, SimulateOptions()).plan.squeeze.is_planned);
   add_squeeze(plan);
   plan.grasp.contacts.pop_back();

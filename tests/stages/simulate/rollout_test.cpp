@@ -136,11 +136,11 @@ TEST_F(Rollouts, AHandWithoutAnArmIsLiftedByItsBase) {
        {&table.lower, &table.upper, &table.velocity, &table.acceleration, &table.jerk})
     *limits = JointVector(limits->tail(2));
   for (RobotModel::Frame& frame : table.frames) frame.joint -= 1;
-  table.frames[0].slides = false;
+  table.frames[0].prismatic = false;
   Trajectory& t = plan_.trajectory;
   for (JointRows* rows : {&t.position, &t.velocity, &t.acceleration})
     *rows = JointRows(rows->rightCols(2));
-  plan_.grasp.hand_posture = plan_.grasp.hand_posture.tail(2).eval();
+  plan_.grasp.grasp_posture = plan_.grasp.grasp_posture.tail(2).eval();
   const robot::Robot hand(table);
   ASSERT_TRUE(hand.arm_joints.empty());
   SimulateOptions options;

@@ -41,7 +41,7 @@ TEST(ServoFile, WhatItSaysComesBeforeTheDefaults) {
 }
 
 TEST(ServoFile, EverythingWrongIsNamedWithItsLine) {
-  EXPECT_NE(refused("indxe: {stiffness: 20}\n").find("yaml:1: indxe: gripper has no such joint"),
+  EXPECT_NE(refused("indxe: {stiffness: 20}\n").find("yaml:1: indxe: is not a joint of gripper"),
             std::string::npos)
       << refused("indxe: {stiffness: 20}\n");
   EXPECT_NE(refused("lift: {}\nindex: {stiffness: -1}\n").find("yaml:2: index.stiffness"),

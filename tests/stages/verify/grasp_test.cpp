@@ -17,8 +17,8 @@ using Causes = std::set<std::string>;  ///< "cause subject"
 
 /// What is said of the grasp alone: the phases are not those that the certificate was made for.
 Causes found_in(const Plan& plan) {
-  static const Causes of_the_grasp = {"grasp",   "contact",   "quality",
-                                      "squeeze", "structure", "finite"};
+  static const Causes of_the_grasp = {"grasp",       "contact",   "quality",
+                                      "grasp_force", "structure", "finite"};
   Causes causes;
   for (const Violation& v : verify_plan(planar::robot(), "reach/000", plan)) {
     if (of_the_grasp.contains(v.cause)) causes.insert(v.cause + " " + v.subject);
@@ -36,26 +36,26 @@ Plan grasping() {
   const SceneObject& cup = plan.scene.objects[1];
   const Vec3 tip = planar::tip_at(planar::position_at(1)), centre = cup.position[0];
   plan.grasp = planar::grasp_at(plan, 100);
-  plan.goals.pad_share = {plan.goals.frames(), 2, 0.0};
-  plan.goals.pad_share(plan.goals.frames() - 1, 1) = 1;
+  plan.goals.tip_to_pad_share = {plan.goals.frames(), 2, 0.0};
+  plan.goals.tip_to_pad_share(plan.goals.frames() - 1, 1) = 1;
   Grasp& grasp = plan.grasp;
 
   PadContact contact;
   contact.tip = "index";
   contact.link = "distal";
   contact.normal = (centre - tip).normalized();
-  contact.point = contact.asked = -0.03 * contact.normal;
-  contact.gap = -0.002;
+  contact.point = contact.desired_point = -0.03 * contact.normal;
+  contact.signed_distance = -0.002;
   contact.pad_angle = 0;
   grasp.contacts = {contact};
   // The pad's ball, of 10 mm, was to touch the cup of 30 mm.
   plan.goals.tip_position(plan.goals.frames() - 1, 1) = centre - 0.04 * contact.normal;
   GraspQuality& quality = grasp.quality;
-  quality.friction = 0.8;
-  quality.torsion = 0.002;
+  quality.friction_coefficient = 0.8;
+  quality.torsional_friction = 0.002;
   quality.mass = 0.3;
-  quality.centre = Vec3::Zero();
-  quality.torque_scale = 0.03;
+  quality.centre_of_mass = Vec3::Zero();
+  quality.characteristic_length = 0.03;
   return plan;
 }
 
@@ -64,14 +64,14 @@ TEST(VerifyGrasp, AcceptsAnHonestGrasp) { EXPECT_EQ(found_in(grasping()), Causes
 TEST(VerifyGrasp, AFingerThatWasClosedMayHaveMetTheTargetBesideItsBall) {
   Plan plan = grasping();
   PadContact& contact = plan.grasp.contacts[0];
-  contact.asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact.asked;
-  plan.goals.closed.assign(plan.goals.tip_position.cols, 0);
-  plan.goals.closed.back() = 1;
-  contact.origin = ContactOrigin::closed;
+  contact.desired_point = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact.desired_point;
+  plan.goals.auto_closed.assign(plan.goals.tip_position.cols, 0);
+  plan.goals.auto_closed.back() = 1;
+  contact.origin = ContactOrigin::auto_closed;
   EXPECT_EQ(found_in(plan), Causes());
   contact.origin = ContactOrigin::demonstrated;
-  plan.goals.closed.clear();
-  EXPECT_EQ(found_in(plan), Causes{"contact index/asked"});
+  plan.goals.auto_closed.clear();
+  EXPECT_EQ(found_in(plan), Causes{"contact index/desired_point"});
 }
 
 TEST(VerifyGrasp, FindsWhatIsForged) {
@@ -85,11 +85,11 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
   };
   const Case cases[] = {
       {"grasp sample", [](Plan& plan) { plan.grasp.sample = 99; }},
-      {"grasp hand_posture", [](Plan& plan) { plan.grasp.hand_posture(1) += 1e-5; }},
+      {"grasp grasp_posture", [](Plan& plan) { plan.grasp.grasp_posture(1) += 1e-5; }},
       {"grasp pregrasp_posture", [](Plan& plan) { plan.grasp.pregrasp_posture(2) += 1e-5; }},
       {"grasp object_pose",
        [](Plan& plan) { plan.grasp.base_from_object.translation().x() += 1e-5; }},
-      {"grasp wrist_pose_in_object",
+      {"grasp palm_pose_in_object",
        [](Plan& plan) {
          plan.grasp.object_from_palm.rotate(Eigen::AngleAxisd(1e-4, Vec3::UnitY()));
        }},
@@ -98,16 +98,18 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
       {"contact index/link", [&](Plan& plan) { contact(plan).link = "proximal"; }},
       {"contact pinkie/link", [&](Plan& plan) { contact(plan).tip = "pinkie"; }},
       {"contact index/point", [&](Plan& plan) { contact(plan).point *= 1.001; }},
-      {"contact index/asked", [&](Plan& plan) { contact(plan).asked *= 0.999; }},
-      {"contact index/asked",  // elsewhere on the sphere
+      {"contact index/desired_point", [&](Plan& plan) { contact(plan).desired_point *= 0.999; }},
+      {"contact index/desired_point",  // elsewhere on the sphere
        [&](Plan& plan) {
-         contact(plan).asked = Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact(plan).asked;
+         contact(plan).desired_point =
+             Eigen::AngleAxisd(0.1, Vec3::UnitZ()) * contact(plan).desired_point;
        }},
       {"contact index/missing", [](Plan& plan) { plan.grasp.contacts.clear(); }},
       {"contact index/missing", [&](Plan& plan) { plan.grasp.contacts.push_back(contact(plan)); }},
-      {"contact index/missing", [](Plan& plan) { plan.goals.pad_share = {}; }},
-      {"contact index/origin", [&](Plan& plan) { contact(plan).origin = ContactOrigin::closed; }},
-      {"contact index/gap", [&](Plan& plan) { contact(plan).gap += 2e-5; }},
+      {"contact index/missing", [](Plan& plan) { plan.goals.tip_to_pad_share = {}; }},
+      {"contact index/origin",
+       [&](Plan& plan) { contact(plan).origin = ContactOrigin::auto_closed; }},
+      {"contact index/signed_distance", [&](Plan& plan) { contact(plan).signed_distance += 2e-5; }},
       {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= -1; }},
       {"contact index/normal", [&](Plan& plan) { contact(plan).normal *= 1.01; }},
       {"contact index/normal", [&](Plan& plan) { turn(plan, 0.01, Vec3::UnitZ()); }},
@@ -118,22 +120,25 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
        }},
       {"contact index/pad_angle", [&](Plan& plan) { contact(plan).pad_angle = 1e-4; }},
       {"contact index/confidence", [&](Plan& plan) { contact(plan).confidence = kUnknown; }},
-      {"contact index/penetration", [](Plan& plan) { plan.tolerances.contact_depth = 0.0019; }},
-      {"finite grasp/contacts/index", [&](Plan& plan) { contact(plan).gap = kUnknown; }},
-      {"quality friction", [](Plan& plan) { plan.grasp.quality.friction = -0.1; }},
-      {"quality centre", [](Plan& plan) { plan.grasp.quality.centre.z() = 1e-3; }},
-      {"quality torque_scale", [](Plan& plan) { plan.grasp.quality.torque_scale = 0.04; }},
+      {"contact index/penetration", [](Plan& plan) { plan.tolerances.max_penetration = 0.0019; }},
+      {"finite grasp/contacts/index",
+       [&](Plan& plan) { contact(plan).signed_distance = kUnknown; }},
+      {"quality friction_coefficient",
+       [](Plan& plan) { plan.grasp.quality.friction_coefficient = -0.1; }},
+      {"quality centre_of_mass", [](Plan& plan) { plan.grasp.quality.centre_of_mass.z() = 1e-3; }},
+      {"quality characteristic_length",
+       [](Plan& plan) { plan.grasp.quality.characteristic_length = 0.04; }},
       {"quality epsilon_lower", [](Plan& plan) { plan.grasp.quality.epsilon_lower = 0.1; }},
-      {"quality given", [](Plan& plan) { plan.grasp.quality.given = 10; }},
-      {"squeeze index/force", [&](Plan& plan) { contact(plan).force = 1; }},
-      {"squeeze torque",
+      {"quality available_force", [](Plan& plan) { plan.grasp.quality.available_force = 10; }},
+      {"grasp_force index/normal_force", [&](Plan& plan) { contact(plan).normal_force = 1; }},
+      {"grasp_force torque",
        [](Plan& plan) {
-         plan.grasp.squeeze_torque = plan.grasp.squeeze_posture = JointVector::Zero(3);
+         plan.grasp.grasp_torque = plan.grasp.servo_target = JointVector::Zero(3);
        }},
-      {"structure grasp/squeeze",
+      {"structure grasp/grasp_force",
        [](Plan& plan) {
          plan.grasp.contacts.clear();
-         plan.grasp.squeeze_torque = plan.grasp.squeeze_posture = JointVector::Zero(3);
+         plan.grasp.grasp_torque = plan.grasp.servo_target = JointVector::Zero(3);
        }},
   };
   for (const Case& c : cases) {
@@ -146,16 +151,16 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
 TEST(VerifyGrasp, JudgesTheGoalsOfPads) {
   const auto with = [](double share, std::uint8_t closed) {
     Plan plan = planar::plan();
-    plan.goals.pad_share = Array2D<double>(plan.goals.frames(), 2, 0);
-    plan.goals.pad_share(3, 0) = share;
-    plan.goals.closed = {0, closed};
+    plan.goals.tip_to_pad_share = Array2D<double>(plan.goals.frames(), 2, 0);
+    plan.goals.tip_to_pad_share(3, 0) = share;
+    plan.goals.auto_closed = {0, closed};
     return found_in(plan);
   };
   EXPECT_EQ(with(1, 1), Causes());
   for (const double share : {-0.1, 1.01, kUnknown}) {
-    EXPECT_EQ(with(share, 0), Causes{"structure goals/pad_share"});
+    EXPECT_EQ(with(share, 0), Causes{"structure goals/tip_to_pad_share"});
   }
-  EXPECT_EQ(with(0, 2), Causes{"structure goals/closed"});
+  EXPECT_EQ(with(0, 2), Causes{"structure goals/auto_closed"});
 }
 
 TEST(VerifyGrasp, LeversAreThoseOfTheFingersAlone) {
@@ -172,13 +177,14 @@ TEST(VerifyGrasp, LeversAreThoseOfTheFingersAlone) {
 
 TEST(VerifyGrasp, ReadsNumbersOfTheSectionGraspAlone) {
   const std::string config =
-      "check:\n  friction: 2\ngrasp:\n  close_fingers: true\n  friction: 0.8\n  mass: 1e-05\n"
-      "  deeper:\n    torsion: 3\nrepair:\n  torsion: 4\n";
-  EXPECT_EQ(grasp_config_value(config, "friction"), 0.8);
+      "check:\n  friction_coefficient: 2\ngrasp:\n  close_fingers: true\n  friction_coefficient: "
+      "0.8\n  mass: 1e-05\n"
+      "  deeper:\n    torsional_friction: 3\nrepair:\n  torsional_friction: 4\n";
+  EXPECT_EQ(grasp_config_value(config, "friction_coefficient"), 0.8);
   EXPECT_EQ(grasp_config_value(config, "mass"), 1e-5);
-  EXPECT_EQ(grasp_config_value(config, "torsion"), std::nullopt);
+  EXPECT_EQ(grasp_config_value(config, "torsional_friction"), std::nullopt);
   EXPECT_EQ(grasp_config_value(config, "close_fingers"), std::nullopt);
-  EXPECT_EQ(grasp_config_value("", "friction"), std::nullopt);
+  EXPECT_EQ(grasp_config_value("", "friction_coefficient"), std::nullopt);
 }
 
 }  // namespace

@@ -82,11 +82,11 @@ TEST(VerifyMagnitudes, MotionsThatNobodyCanProve) {
   for (Vec3& goal : plan.goals.tip_position.values)
     if (is_known(goal)) goal = Vec3(0, 0, 0.1);
   const double away = (planar::tip_at({0, 0.5, 0.2}) - Vec3(0, 0, 0.1)).norm();
-  plan.tolerances.tracking = plan.tolerances.tracking_grasp = away + 1e-9;
-  plan.tolerances.margin = 0.005 - 2e-5;
+  plan.tolerances.tracking_tolerance = plan.tolerances.tracking_tolerance_grasp = away + 1e-9;
+  plan.tolerances.required_clearance = 0.005 - 2e-5;
   const std::set<std::string> found = causes_in(robot, plan);
   EXPECT_EQ(found.count("tracking index"), 1u);
-  EXPECT_EQ(found.count("object distal/table"), 1u);
+  EXPECT_EQ(found.count("object_collision distal/table"), 1u);
 }
 
 TEST(VerifyMagnitudes, SegmentsOfAnyLength) {

@@ -77,11 +77,11 @@ void map_goals(Plan& plan) {
   const auto frames = static_cast<Eigen::Index>(plan.goals.frames());
   MappingResult& mapped = plan.mapped;
   mapped.position.resize(frames, 3);
-  mapped.position_error = mapped.orientation_error = JointRows::Constant(frames, 2, kUnknown);
+  mapped.tip_error = mapped.tip_orientation_error = JointRows::Constant(frames, 2, kUnknown);
   mapped.humanlikeness = JointRows::Constant(frames, 3, kUnknown);
   for (Eigen::Index k = 0; k < frames; ++k) {
     mapped.position.row(k) = position_at(static_cast<double>(k) / static_cast<double>(frames - 1));
-    mapped.position_error(k, 1) = 0;
+    mapped.tip_error(k, 1) = 0;
     mapped.objective.push_back(0);
     mapped.status.push_back(FrameStatus::met);
     plan.path.origin.push_back(SampleOrigin::mapped);
@@ -164,14 +164,14 @@ RobotModel robot() {
                 {"proximal", 1, shifted(0.25), Vec3::UnitZ(), 2, 1, 0},
                 {"distal", 2, shifted(0.08), Vec3::UnitZ(), 2, 1, 0.1}};
   out.tips = {{"thumb", 2, shifted(0.02), 0}, {"index", 3, shifted(0.06), 1}};
-  out.centres = {{1, "arm"}};
+  out.joint_centres = {{1, "arm"}};
   out.capsules = {
       {"upper", 0, Vec3::Zero(), Vec3(0.25, 0, 0), 0.03, false},
       {"forearm", 1, Vec3::Zero(), Vec3(0.22, 0, 0), 0.03, false},
       {"proximal", 2, Vec3::Zero(), Vec3(0.08, 0, 0), 0.01, true},
       {"distal", 3, Vec3::Zero(), Vec3(0.06, 0, 0), 0.01, true},
   };
-  out.allowed_pairs = {{0, 1}, {1, 2}, {2, 3}};
+  out.allowed_collision_pairs = {{0, 1}, {1, 2}, {2, 3}};
   return out;
 }
 
@@ -208,7 +208,7 @@ Grasp grasp_at(const Plan& plan, int sample) {
   Grasp grasp;
   grasp.sample = sample;
   grasp.base_from_object.translation() = plan.scene.objects[1].position[0];
-  grasp.hand_posture = q;
+  grasp.grasp_posture = q;
   // The distal link bends more and more, so that the tips come nearer to each other.
   grasp.pregrasp_posture = position_at(0);
   // The palm is the shoulder's frame, at height 0.1 m, turned by the first joint.
@@ -250,21 +250,21 @@ Plan plan(double step_s) {
       grasp_at(out, static_cast<int>(std::ranges::lower_bound(reached, 2.6) - reached.begin()));
 
   // Minimum jerk over 1 s: 15/8 of the way in velocity, 10/sqrt(3) in acceleration, 60 in jerk.
-  out.certificate.position_margin = 1.5 - 0.9;
+  out.certificate.joint_limit_margin = 1.5 - 0.9;
   out.certificate.velocity_ratio = 1.875 * 0.5 / 2;
   out.certificate.acceleration_ratio = 10 / std::sqrt(3.0) * 0.5 / 6;
   out.certificate.jerk_ratio = 60 * 0.5 / 60;
   out.certificate.clearance = 0.005;
   const std::vector<double> errors = polygon_errors(out), grasp = polygon_errors(out, 2.6);
-  out.certificate.position_error_max = *std::max_element(errors.begin(), errors.end());
-  out.certificate.position_error_mean =
+  out.certificate.tip_error_max = *std::max_element(errors.begin(), errors.end());
+  out.certificate.tip_error_mean =
       std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-  out.certificate.position_error_grasp = *std::max_element(grasp.begin(), grasp.end());
+  out.certificate.tip_error_grasp = *std::max_element(grasp.begin(), grasp.end());
   out.certificate.sparc_robot = spectral_arc_length(tip_speeds(100));
   out.certificate.sparc_human = spectral_arc_length(tip_speeds(80));
   out.certificate.log_dimensionless_jerk_robot = log_dimensionless_jerk(tip_speeds(100));
   out.certificate.log_dimensionless_jerk_human = log_dimensionless_jerk(tip_speeds(80));
-  out.certificate.tempo = 1 / kHuman_s;
+  out.certificate.duration_ratio = 1 / kHuman_s;
   return out;
 }
 

@@ -37,7 +37,7 @@ TEST(VerifyPromises, TipsAreJudgedBetweenThreeSamples) {
   EXPECT_EQ(causes_in(plan).count("tracking index"), 0u);
   plan.trajectory.velocity.row(1).setZero();  // the samples are where they were
   plan.trajectory.acceleration.row(1).setZero();
-  plan.tolerances.tracking = plan.tolerances.tracking_grasp = 0.02;
+  plan.tolerances.tracking_tolerance = plan.tolerances.tracking_tolerance_grasp = 0.02;
   EXPECT_EQ(causes_in(plan).count("tracking index"), 1u);
   double farthest = 0;
   for (const Violation& v : verify_plan(planar::robot(), "", plan))
@@ -139,11 +139,11 @@ TEST(VerifyPromises, FindsAPlaceThatTheSceneDoesNotHave) {
     };
   };
   const auto placed = [](Plan& plan) {
-    plan.world.base_from_world = Pose::Identity();
-    plan.world.base_from_table = Pose::Identity();
-    plan.world.base_from_table.translation().z() = 0.065;
-    plan.world.base_from_target = Pose::Identity();
-    plan.world.base_from_target.translation() = cup_of(plan).position[0];
+    plan.reference_frames.base_from_world = Pose::Identity();
+    plan.reference_frames.base_from_table = Pose::Identity();
+    plan.reference_frames.base_from_table.translation().z() = 0.065;
+    plan.reference_frames.base_from_target = Pose::Identity();
+    plan.reference_frames.base_from_target.translation() = cup_of(plan).position[0];
   };
   Plan honest = planar::plan();
   placed(honest);
@@ -157,9 +157,12 @@ TEST(VerifyPromises, FindsAPlaceThatTheSceneDoesNotHave) {
       {"scene cup", taken(kUnknown, kUnknown, "distal")},
       {"scene bottle", [](Plan& plan) { plan.scene.objects[0].attach_s = 2.7; }},
       {"scene bottle", [](Plan& plan) { plan.scene.objects.push_back(plan.scene.objects[0]); }},
-      {"scene world/table", [](Plan& plan) { plan.world.base_from_table.translation().z() = 0; }},
-      {"scene world/target", [](Plan& plan) { plan.world.base_from_target = Pose::Identity(); }},
-      {"scene world/recording", [](Plan& plan) { plan.world.base_from_world.linear() *= 1.01; }},
+      {"scene reference_frames/table",
+       [](Plan& plan) { plan.reference_frames.base_from_table.translation().z() = 0; }},
+      {"scene reference_frames/target",
+       [](Plan& plan) { plan.reference_frames.base_from_target = Pose::Identity(); }},
+      {"scene reference_frames/recording",
+       [](Plan& plan) { plan.reference_frames.base_from_world.linear() *= 1.01; }},
   };
   for (const Forgery& c : cases) {
     Plan plan = planar::plan();
@@ -171,10 +174,11 @@ TEST(VerifyPromises, FindsAPlaceThatTheSceneDoesNotHave) {
 
 TEST(VerifyPromises, FindsWhatTheMappingAndThePathDidNotDo) {
   const Forgery cases[] = {
-      {"mapped position_error", [](Plan& plan) { plan.mapped.position_error(9, 1) = 0.001; }},
-      {"mapped position_error", [](Plan& plan) { plan.mapped.position_error(9, 0) = 0; }},
-      {"mapped position_error", [](Plan& plan) { plan.mapped.position(9, 1) += 0.01; }},
-      {"mapped orientation_error", [](Plan& plan) { plan.mapped.orientation_error(9, 1) = 0; }},
+      {"mapped tip_error", [](Plan& plan) { plan.mapped.tip_error(9, 1) = 0.001; }},
+      {"mapped tip_error", [](Plan& plan) { plan.mapped.tip_error(9, 0) = 0; }},
+      {"mapped tip_error", [](Plan& plan) { plan.mapped.position(9, 1) += 0.01; }},
+      {"mapped tip_orientation_error",
+       [](Plan& plan) { plan.mapped.tip_orientation_error(9, 1) = 0; }},
       {"mapped humanlikeness", [](Plan& plan) { plan.mapped.humanlikeness(9, 0) = 0.1; }},
       {"mapped status", [](Plan& plan) { plan.mapped.status[9] = FrameStatus::out_of_reach; }},
       {"mapped objective", [](Plan& plan) { plan.mapped.objective[9] = kUnknown; }},
@@ -192,7 +196,7 @@ TEST(VerifyPromises, FindsWhatTheMappingAndThePathDidNotDo) {
       {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = 0.0048; }},
       {"clearance trajectory", [](Plan& plan) { plan.trajectory.clearance[9] = kUnknown; }},
       {"grasp missing", [](Plan& plan) { plan.grasp = {}; }},
-      {"structure remaining", [](Plan& plan) { plan.remaining.emplace_back(); }},
+      {"structure remaining_findings", [](Plan& plan) { plan.remaining_findings.emplace_back(); }},
   };
   for (const Forgery& c : cases) {
     Plan plan = planar::plan();
@@ -213,17 +217,19 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
   const PlanRequest wanted = asked();
   EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes());
   const Forgery cases[] = {
-      {"config margin", [](Plan& plan) { plan.tolerances.margin = 0; }},
-      {"config contact_depth", [](Plan& plan) { plan.tolerances.contact_depth = 0.02; }},
-      {"config tracking", [](Plan& plan) { plan.tolerances.tracking = 0.1; }},
-      {"config tracking_grasp", [](Plan& plan) { plan.tolerances.tracking_grasp = 0.1; }},
-      {"config out_of_reach_share", [](Plan& plan) { plan.tolerances.out_of_reach_share = 0.9; }},
-      {"config farthest_tip", [](Plan& plan) { plan.tolerances.farthest_tip = kUnknown; }},
-      {"config start_s", [](Plan& plan) { plan.movement.begin_s += 0.005; }},
+      {"config required_clearance", [](Plan& plan) { plan.tolerances.required_clearance = 0; }},
+      {"config max_penetration", [](Plan& plan) { plan.tolerances.max_penetration = 0.02; }},
+      {"config tracking_tolerance", [](Plan& plan) { plan.tolerances.tracking_tolerance = 0.1; }},
+      {"config tracking_tolerance_grasp",
+       [](Plan& plan) { plan.tolerances.tracking_tolerance_grasp = 0.1; }},
+      {"config max_unreachable_share",
+       [](Plan& plan) { plan.tolerances.max_unreachable_share = 0.9; }},
+      {"config max_tip_error", [](Plan& plan) { plan.tolerances.max_tip_error = kUnknown; }},
+      {"config begin_s", [](Plan& plan) { plan.movement.begin_s += 0.005; }},
       {"config end_s", [](Plan& plan) { plan.movement.end_s -= 0.005; }},
       {"config approach", [](Plan& plan) { plan.approach = plan.trajectory; }},
       {"config retreat", [](Plan& plan) { plan.retreat = plan.trajectory; }},
-      {"config carried",
+      {"config carried_by",
        [](Plan& plan) {
          cup_of(plan).attach_s = 2.7;
          cup_of(plan).attached_frame = "distal";
@@ -235,7 +241,7 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
     EXPECT_EQ(causes_in(plan, &wanted).count(c.cause), 1u) << c.cause;
   }
   PlanRequest slower = asked();
-  slower.limit_share = 0.4;
+  slower.limit_scaling = 0.4;
   const Causes found = causes_in(planar::plan(), &slower);
   EXPECT_EQ(found,
             (Causes{"config velocity_ratio", "config acceleration_ratio", "config jerk_ratio"}));
@@ -246,12 +252,12 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
 
 TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {
   PlanRequest wanted = asked();
-  wanted.tolerances.link_depth = 0.0;
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config link_depth"});
+  wanted.tolerances.max_link_penetration = 0.0;
+  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config max_link_penetration"});
   Plan plan = planar::plan();
-  plan.tolerances.link_depth = 0.002;
+  plan.tolerances.max_link_penetration = 0.002;
   const PlanRequest without = asked();
-  EXPECT_EQ(causes_in(plan, &without), Causes{"config link_depth"});
+  EXPECT_EQ(causes_in(plan, &without), Causes{"config max_link_penetration"});
 }
 
 TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
@@ -271,25 +277,25 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
   };
   stand(plan.approach, 0, 2.0);
   stand(plan.retreat, 100, 2.8);
-  EXPECT_EQ(causes_in(plan, &wanted), Causes{"transfer home"});  // the retreat's
+  EXPECT_EQ(causes_in(plan, &wanted), Causes{"approach_retreat home"});  // the retreat's
   wanted.home->posture = planar::position_at(1);
-  EXPECT_EQ(causes_in(plan, &wanted), Causes{"transfer home"});  // the approach's
+  EXPECT_EQ(causes_in(plan, &wanted), Causes{"approach_retreat home"});  // the approach's
   wanted.home->with_retreat = false;
   plan.retreat = {};
   wanted.home->posture = planar::position_at(0);
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
   // It stands aside, by less than could pass once: neither at home nor where the trajectory begins.
   plan.approach.position.col(0).array() += 1e-5;
-  EXPECT_EQ(causes_in(plan, &wanted), (Causes{"structure approach", "transfer home"}));
+  EXPECT_EQ(causes_in(plan, &wanted), (Causes{"structure approach", "approach_retreat home"}));
 }
 
 TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
   Plan plan = planar::plan();
-  plan.world.base_from_world = Pose(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
-  plan.world.base_from_table = Pose::Identity();
-  plan.world.base_from_table.translation().z() = 0.065;
-  plan.world.base_from_target = Pose::Identity();
-  plan.world.base_from_target.translation() = cup_of(plan).position[0];
+  plan.reference_frames.base_from_world = Pose(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
+  plan.reference_frames.base_from_table = Pose::Identity();
+  plan.reference_frames.base_from_table.translation().z() = 0.065;
+  plan.reference_frames.base_from_target = Pose::Identity();
+  plan.reference_frames.base_from_target.translation() = cup_of(plan).position[0];
   PlanRequest wanted = asked();
   PlanRequest::Body& body = wanted.bodies.emplace_back();
   body.object = plan.scene.objects[0];
@@ -297,8 +303,9 @@ TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
   body.relative_to = PlanRequest::ReferenceFrame::world;
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"config bottle"});
-  body.object.position[0] = plan.world.base_from_world.inverse() * body.object.position[0];
-  body.object.orientation[0] = Quat(plan.world.base_from_world.linear()).conjugate();
+  body.object.position[0] =
+      plan.reference_frames.base_from_world.inverse() * body.object.position[0];
+  body.object.orientation[0] = Quat(plan.reference_frames.base_from_world.linear()).conjugate();
   EXPECT_EQ(causes_in(plan, &wanted), Causes());
   body.object.size[0] *= 2;
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"config bottle"});

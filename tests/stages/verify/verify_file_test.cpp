@@ -77,17 +77,17 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
       {"position elbow", [](Plan& plan) { plan.trajectory.position(50, 1) = 1.6; }},
       {"velocity shoulder", [](Plan& plan) { plan.trajectory.velocity(30, 0) = 2.5; }},
       {"rest proximal", [](Plan& plan) { plan.trajectory.acceleration(100, 2) = 0.01; }},
-      {"object distal/bottle", [&](Plan& plan) { place(plan, 0, 0.5); }},
-      {"object distal/rod",
+      {"object_collision distal/bottle", [&](Plan& plan) { place(plan, 0, 0.5); }},
+      {"object_collision distal/rod",
        [&](Plan& plan) {
          plan = planar::plan(0.1);
          place(plan, 2, 0.55);
        }},
       {"tracking index", [](Plan& plan) { plan.goals.tip_position(75, 1).z() += 0.008; }},
-      {"certificate tempo", [](Plan& plan) { plan.certificate.tempo = 1; }},
+      {"certificate duration_ratio", [](Plan& plan) { plan.certificate.duration_ratio = 1; }},
       {"certificate clearance", [](Plan& plan) { plan.certificate.clearance = 0.006; }},
-      {"object distal/cup", [](Plan& plan) { plan.movement.target = ""; }},
-      {"object distal/crate",
+      {"object_collision distal/cup", [](Plan& plan) { plan.movement.target = ""; }},
+      {"object_collision distal/crate",
        [&](Plan& plan) {  // a box that falls and turns into the way
          SceneObject crate = plan.scene.objects[3];
          crate.name = "crate";
@@ -99,7 +99,7 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
                               Quat(Eigen::AngleAxisd(2, Vec3(0.6, 0, 0.8)))};
          plan.scene.objects.push_back(crate);
        }},
-      {"self forearm/distal",  // the finger folds back onto the arm
+      {"self_collision forearm/distal",  // the finger folds back onto the arm
        [](Plan& plan) { plan.trajectory.position.col(2) *= 4.4; }},
       {"time time", [](Plan& plan) { plan.trajectory.time[10] = plan.trajectory.time[9]; }},
       {"finite velocity", [](Plan& plan) { plan.trajectory.velocity(3, 1) = kUnknown; }},

@@ -126,7 +126,7 @@ TEST(VerifyPlan, FindsAClearanceThatNothingWasMeasuredFor) {
   Plan plan = planar::plan();
   RobotModel robot = planar::robot();
   robot.capsules.clear();
-  robot.allowed_pairs.clear();
+  robot.allowed_collision_pairs.clear();
   plan.certificate.clearance = kUnknown;
   for (double& clearance : plan.trajectory.clearance) clearance = kUnknown;
   EXPECT_TRUE(verify(plan, robot).empty());
@@ -154,7 +154,7 @@ TEST(VerifyPlan, FindsAnObstacleMovedIntoThePath) {
   object(plan, "bottle").position[0] = planar::tip_at(planar::position_at(0.5));
   const auto violations = verify(plan);
   bool distal = false;
-  for (const Violation& v : of("object", violations)) {
+  for (const Violation& v : of("object_collision", violations)) {
     if (v.subject != "distal/bottle") continue;
     distal = true;
     EXPECT_EQ(v.sample, 50);
@@ -170,7 +170,7 @@ TEST(VerifyPlan, FindsAThinObstacleBetweenTwoSamples) {
   rod.position[0] = planar::tip_at(planar::position_at(0.53));
   for (const double t : {0.5, 0.6})  // clear at both samples around
     ASSERT_GT((planar::tip_at(planar::position_at(t)) - rod.position[0]).norm(), 0.02);
-  const auto found = of("object", verify(plan));
+  const auto found = of("object_collision", verify(plan));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "distal/rod");
   EXPECT_THAT(found[0].sample, testing::AnyOf(5, 6));
@@ -183,7 +183,7 @@ TEST(VerifyPlan, FindsAnObstacleThatCrossesBetweenTwoSamples) {
   rod.time = {2.0, 2.001, 2.003};
   rod.position = {Vec3(0.3, -0.8, 0.2), Vec3(0.3, -0.8, 0.2), Vec3(0.3, 0.8, 0.2)};
   rod.orientation = std::vector<Quat>(3, Quat::Identity());
-  const auto found = of("object", verify(plan));
+  const auto found = of("object_collision", verify(plan));
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].sample, 0);
   EXPECT_NEAR(found[0].time_s, 0.002 / 0.8, 0.00125);
@@ -208,14 +208,14 @@ Plan carrying(double touch_end_s) {
 
 TEST(VerifyPlan, WhatIsCarriedStaysInTheHand) {
   Plan plan = carrying(2.8);
-  EXPECT_TRUE(of("object", verify(plan)).empty());
+  EXPECT_TRUE(of("object_collision", verify(plan)).empty());
   // Left where it lay, the finger turns into it.
   object(plan, "cup").attached_frame = "";
-  const auto left = of("object", verify(plan));
+  const auto left = of("object_collision", verify(plan));
   ASSERT_FALSE(left.empty());
   EXPECT_LT(left[0].value, -0.01);
   // A few millimetres deep all the while is too deep once nothing may touch it.
-  const auto found = of("object", verify(carrying(2.5)));
+  const auto found = of("object_collision", verify(carrying(2.5)));
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].subject, "distal/cup");
   EXPECT_LT(found[0].value, -0.001);
@@ -230,11 +230,11 @@ TEST(VerifyPlan, WhatWasReleasedStaysThere) {
   cup.time = {2.0, 2.75, 2.8};
   cup.position = {cup.position[0], cup.position[0], Vec3(0.2, 0.25, 0.1)};
   cup.orientation = std::vector<Quat>(3, Quat::Identity());
-  for (const Violation& violation : of("object", verify(plan))) {
+  for (const Violation& violation : of("object_collision", verify(plan))) {
     EXPECT_EQ(violation.subject, "distal/cup") << violation.sample;
   }
   cup.attached_frame = "";
-  EXPECT_FALSE(of("object", verify(plan)).empty());
+  EXPECT_FALSE(of("object_collision", verify(plan)).empty());
 }
 
 TEST(VerifyPlan, FindsAGoalMovedAtTheGrasp) {
@@ -272,19 +272,19 @@ TEST(VerifyPlan, FindsJerkThatIsExceededOnlyBetweenSamples) {
 
 TEST(VerifyPlan, FindsAFalseCertificate) {
   const std::pair<const char*, double Certificate::*> attributes[] = {
-      {"position_margin", &Certificate::position_margin},
+      {"joint_limit_margin", &Certificate::joint_limit_margin},
       {"velocity_ratio", &Certificate::velocity_ratio},
       {"acceleration_ratio", &Certificate::acceleration_ratio},
       {"jerk_ratio", &Certificate::jerk_ratio},
       {"clearance", &Certificate::clearance},
-      {"position_error_max", &Certificate::position_error_max},
-      {"position_error_mean", &Certificate::position_error_mean},
-      {"position_error_grasp", &Certificate::position_error_grasp},
+      {"tip_error_max", &Certificate::tip_error_max},
+      {"tip_error_mean", &Certificate::tip_error_mean},
+      {"tip_error_grasp", &Certificate::tip_error_grasp},
       {"sparc_robot", &Certificate::sparc_robot},
       {"sparc_human", &Certificate::sparc_human},
       {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
       {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
-      {"tempo", &Certificate::tempo}};
+      {"duration_ratio", &Certificate::duration_ratio}};
   for (const auto& [name, attribute] : attributes) {
     for (const bool missing : {false, true}) {
       Plan plan = planar::plan();
@@ -301,7 +301,7 @@ TEST(VerifyPlan, FindsAFalseCertificate) {
 TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
   Plan plan = planar::plan();
   plan.movement.target = "";
-  auto found = of("object", verify(plan));
+  auto found = of("object_collision", verify(plan));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "distal/cup");
   EXPECT_EQ(found[0].sample, 100);
@@ -310,15 +310,15 @@ TEST(VerifyPlan, LetsOnlyAllowedCapsulesTouchTheTargetAndOnlyInTime) {
 
   RobotModel robot = planar::robot();
   robot.capsules[3].may_touch_target = false;
-  EXPECT_EQ(of("object", verify(planar::plan(), robot)).size(), 1u);
+  EXPECT_EQ(of("object_collision", verify(planar::plan(), robot)).size(), 1u);
 
   plan = planar::plan();
   plan.movement.phases.back().end_s = 2.79;  // lets go while still touching
-  EXPECT_EQ(of("object", verify(plan)).size(), 1u);
+  EXPECT_EQ(of("object_collision", verify(plan)).size(), 1u);
 
   plan = planar::plan();
-  plan.tolerances.contact_depth = 0.0019;
-  found = of("object", verify(plan));
+  plan.tolerances.max_penetration = 0.0019;
+  found = of("object_collision", verify(plan));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].limit, -0.0019);
 }
@@ -330,9 +330,9 @@ TEST(VerifyPlan, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
   knuckle.to -= 0.001 * (knuckle.to - knuckle.from).normalized();
   robot.capsules.push_back(knuckle);
   Plan plan = planar::plan();
-  EXPECT_TRUE(of("object", verify(plan, robot)).empty());
-  plan.tolerances.link_depth = 0.0005;
-  const auto found = of("object", verify(plan, robot));
+  EXPECT_TRUE(of("object_collision", verify(plan, robot)).empty());
+  plan.tolerances.max_link_penetration = 0.0005;
+  const auto found = of("object_collision", verify(plan, robot));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "knuckle/cup");
   EXPECT_EQ(found[0].limit, -0.0005);
@@ -342,11 +342,11 @@ TEST(VerifyPlan, LinksThatAreNoPadsHaveADepthOfTheirOwn) {
 TEST(VerifyPlan, FindsTheRobotInItsOwnWay) {
   RobotModel robot = planar::robot();
   robot.capsules[3].to = Vec3(-0.1, 0, 0);  // the distal link reaches back into the forearm
-  const auto found = of("self", verify(planar::plan(), robot));
+  const auto found = of("self_collision", verify(planar::plan(), robot));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "forearm/distal");
-  robot.allowed_pairs.push_back({1, 3});
-  EXPECT_TRUE(of("self", verify(planar::plan(), robot)).empty());
+  robot.allowed_collision_pairs.push_back({1, 3});
+  EXPECT_TRUE(of("self_collision", verify(planar::plan(), robot)).empty());
 }
 
 TEST(VerifyPlan, FindsTimeThatRunsBackOrLeavesGoalsOut) {
@@ -378,7 +378,7 @@ TEST(VerifyPlan, FindsWhatIsNotANumber) {
 
 TEST(VerifyPlan, FindsStatusAndContentApart) {
   Plan plan = planar::plan();
-  plan.reason = Reason::smoothing;
+  plan.reason = Reason::smoothing_collision;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
   plan.trajectory = {};
   EXPECT_TRUE(verify(plan).empty());
@@ -402,11 +402,11 @@ TEST(VerifyPlan, JudgesTheApproachToo) {
   EXPECT_EQ(found[1].subject, "distal/cup");
   // A clock inside of the grasp would let it touch.
   for (double& time_s : plan.approach.demonstration_time) time_s = 2.65;
-  found = of("transfer", verify(plan));
+  found = of("approach_retreat", verify(plan));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].subject, "demonstration_time");
   for (PhaseKind& phase : plan.approach.phase) phase = PhaseKind::grasp;
-  EXPECT_EQ(of("transfer", verify(plan)).size(), 2u);
+  EXPECT_EQ(of("approach_retreat", verify(plan)).size(), 2u);
 }
 
 TEST(VerifyPlan, JudgesTheRetreatToo) {
@@ -423,11 +423,12 @@ TEST(VerifyPlan, JudgesTheRetreatToo) {
 TEST(VerifyPlan, APlanOfWhichEveryGoalIsOutOfReachIsNotExecutable) {
   Plan plan = planar::plan();
   for (std::uint8_t& reachable : plan.goals.reachable.values) reachable = 0;
-  plan.tolerances.tracking = plan.tolerances.tracking_grasp = 10;  // whatever it allows
-  plan.tolerances.out_of_reach_share = 1;  // not even this: a config cannot say it
+  plan.tolerances.tracking_tolerance = plan.tolerances.tracking_tolerance_grasp =
+      10;                                     // whatever it allows
+  plan.tolerances.max_unreachable_share = 1;  // not even this: a config cannot say it
   const auto found = of("status", verify(plan));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].subject, "out_of_reach_share");
+  EXPECT_EQ(found[0].subject, "max_unreachable_share");
   EXPECT_EQ(found[0].value, 1);
   plan.approximate = true;
   EXPECT_TRUE(verify(plan).empty());
@@ -444,17 +445,17 @@ TEST(VerifyPlan, AShareOfGoalsOutOfReachIsCountedOverThoseThatWereSeen) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_DOUBLE_EQ(found[0].value, static_cast<double>(out) / static_cast<double>(seen));
   EXPECT_EQ(found[0].limit, 0.5);
-  plan.tolerances.out_of_reach_share = 0.75;
+  plan.tolerances.max_unreachable_share = 0.75;
   EXPECT_TRUE(verify(plan).empty());
 }
 
 TEST(VerifyPlan, ATipFartherThanThePlanAllowsMakesItApproximate) {
   Plan plan = planar::plan();
-  plan.tolerances.farthest_tip = 0.9 * plan.certificate.position_error_max;
+  plan.tolerances.max_tip_error = 0.9 * plan.certificate.tip_error_max;
   const auto found = of("status", verify(plan));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].subject, "farthest_tip");
-  EXPECT_NEAR(found[0].value, plan.certificate.position_error_max, 1e-9);
+  EXPECT_EQ(found[0].subject, "max_tip_error");
+  EXPECT_NEAR(found[0].value, plan.certificate.tip_error_max, 1e-9);
   plan.approximate = true;
   EXPECT_TRUE(verify(plan).empty());
 }
@@ -463,7 +464,8 @@ TEST(VerifyPlan, APlanThatReachesItsGoalsIsNotApproximate) {
   Plan plan = planar::plan();
   plan.approximate = true;
   ASSERT_EQ(of("status", verify(plan)).size(), 1u);
-  plan.tolerances.out_of_reach_share = plan.tolerances.farthest_tip = kUnknown;  // an earlier file
+  plan.tolerances.max_unreachable_share = plan.tolerances.max_tip_error =
+      kUnknown;  // an earlier file
   EXPECT_TRUE(of("status", verify(plan)).empty());
 }
 
@@ -473,7 +475,7 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
             "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": []}\n");
   report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31, "rad/s^3"},
                        {"a\"b/000", 8, 0.016, "tracking", "thumb", 0.012, 0.01, "m"},
-                       {"c/001", -1, 0, "certificate", "tempo", kUnknown, 1.25, ""}};
+                       {"c/001", -1, 0, "certificate", "duration_ratio", kUnknown, 1.25, ""}};
   EXPECT_EQ(
       verify_json(report),
       "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"
@@ -482,7 +484,7 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
       "  {\"plan\": \"a\\\"b/000\", \"sample\": 8, \"time_s\": 0.016, \"cause\": \"tracking\", "
       "\"subject\": \"thumb\", \"value\": 0.012, \"limit\": 0.01, \"unit\": \"m\"},\n"
       "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
-      "\"subject\": \"tempo\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n]}\n");
+      "\"subject\": \"duration_ratio\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n]}\n");
   EXPECT_THAT(verify_text(report),
               testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5 rad/s^3, limit 31 rad/s^3\n"));
   EXPECT_THAT(verify_text(report), testing::HasSubstr("tracking thumb: 12 mm, limit 10 mm\n"));

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 
 std::vector<std::string> centres_of(const RobotModel& robot) {
   std::vector<std::string> names;
-  for (const RobotModel::JointCentre& centre : robot.centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
     names.push_back(centre.chain + ":" + robot.frames[static_cast<std::size_t>(centre.frame)].name);
   }
   return names;
@@ -29,7 +29,8 @@ bool allowed(const RobotModel& robot, const std::string& first, const std::strin
   };
   const int i = index(first), j = index(second);
   const std::array<int, 2> pair = {std::min(i, j), std::max(i, j)};
-  return std::ranges::find(robot.allowed_pairs, pair) != robot.allowed_pairs.end();
+  return std::ranges::find(robot.allowed_collision_pairs, pair) !=
+         robot.allowed_collision_pairs.end();
 }
 
 class Shipped : public testing::TestWithParam<std::string> {};
@@ -59,9 +60,9 @@ TEST_P(Shipped, LoadsOnItsOwnAndIsConsistent) {
     EXPECT_TRUE(frame.transform.linear().isUnitary(1e-13));
   }
   EXPECT_FALSE(robot.tips.empty());
-  EXPECT_FALSE(robot.centres.empty());
-  EXPECT_TRUE(std::ranges::is_sorted(robot.allowed_pairs));
-  for (const auto& [i, j] : robot.allowed_pairs) {
+  EXPECT_FALSE(robot.joint_centres.empty());
+  EXPECT_TRUE(std::ranges::is_sorted(robot.allowed_collision_pairs));
+  for (const auto& [i, j] : robot.allowed_collision_pairs) {
     EXPECT_LT(i, j);
     EXPECT_LT(j, static_cast<int>(robot.capsules.size()));
   }
@@ -198,7 +199,7 @@ TEST(Description, MountsInEveryForm) {
 
 TEST(Description, CentresOfTheFileReplaceTheDerivedOnes) {
   const RobotModel robot =
-      written_robot("centres", kOneJoint + "centres: [{frame: turn, chain: arm}]\n");
+      written_robot("centres", kOneJoint + "joint_centres: [{frame: turn, chain: arm}]\n");
   EXPECT_THAT(centres_of(robot), ElementsAre("arm:turn"));
 }
 

@@ -46,9 +46,9 @@ TEST_P(GeneratedArm, HasItsElbowsAtEqualStepsAndNoneAtTheWrist) {
   std::vector<Pose> frames;
   forward_kinematics(robot, zero_position(robot), frames);
   EXPECT_EQ(origin(robot, frames, robot.shoulder_frame), Vec3(0, 0, 0));
-  ASSERT_EQ(robot.centres.size(), static_cast<std::size_t>(links - 1));
+  ASSERT_EQ(robot.joint_centres.size(), static_cast<std::size_t>(links - 1));
   for (int k = 1; k < links; ++k) {
-    const RobotModel::JointCentre& centre = robot.centres[static_cast<std::size_t>(k - 1)];
+    const RobotModel::JointCentre& centre = robot.joint_centres[static_cast<std::size_t>(k - 1)];
     EXPECT_EQ(centre.chain, "arm");
     EXPECT_LT((origin(robot, frames, centre.frame) - Vec3(0, 0, 0.6 * k / links)).norm(), 1e-15);
   }
@@ -89,7 +89,7 @@ TEST(GeneratedHand, OfFiveFingersHasTheHumansProportionsAndNames) {
   }
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(robot.tips[i].finger, static_cast<int>(i));
-    EXPECT_TRUE(std::isnan(robot.tips[i].along));
+    EXPECT_TRUE(std::isnan(robot.tips[i].finger_curve_share));
   }
 }
 
@@ -100,9 +100,9 @@ TEST_P(GeneratedHandOf, AnyNumberOfFingersStandsOnTheSameCurves) {
   const RobotModel robot = generate_hand({.fingers = m, .length = kHand_m, .breadth = kBreadth_m});
   EXPECT_EQ(robot.joints(), static_cast<std::size_t>(4 * m));
   ASSERT_EQ(robot.tips.size(), static_cast<std::size_t>(m));
-  ASSERT_EQ(robot.centres.size(), static_cast<std::size_t>(m));
+  ASSERT_EQ(robot.joint_centres.size(), static_cast<std::size_t>(m));
   EXPECT_EQ(robot.tips[0].finger, 0);
-  EXPECT_EQ(robot.centres[0].chain, "thumb");
+  EXPECT_EQ(robot.joint_centres[0].chain, "thumb");
   std::mt19937 random(4);
   const JointVector q = random_position(robot, random);
   std::vector<Pose> frames;
@@ -113,7 +113,7 @@ TEST_P(GeneratedHandOf, AnyNumberOfFingersStandsOnTheSameCurves) {
     const auto tip = static_cast<std::size_t>(finger);
     const double share = (finger - 1.0) / (m - 2);
     EXPECT_EQ(robot.tips[tip].name, "finger" + std::to_string(finger) + "_tip");
-    EXPECT_EQ(robot.tips[tip].along, share);
+    EXPECT_EQ(robot.tips[tip].finger_curve_share, share);
     EXPECT_EQ(robot.tips[tip].finger, 1 + static_cast<int>(std::lround(3 * share)));
     const auto before = std::min<std::size_t>(2, static_cast<std::size_t>(3 * share));
     const FingerRow row =
@@ -135,7 +135,7 @@ TEST(Generated, HandOnArmMakesTheWristACentre) {
   EXPECT_EQ(robot.joints(), 22u);
   EXPECT_EQ(robot.tips.size(), 4u);
   std::vector<std::string> centres;
-  for (const auto& c : robot.centres) {
+  for (const auto& c : robot.joint_centres) {
     centres.push_back(c.chain + ":" + robot.frames[static_cast<std::size_t>(c.frame)].name);
   }
   EXPECT_THAT(centres,

@@ -97,8 +97,9 @@ tips:
                   .maxCoeff(),
               1e-12);
   }
-  ASSERT_EQ(robot.centres.size(), 4u);  // elbow, wrist and the two fingers' middle joints
-  EXPECT_EQ(robot.frames[static_cast<std::size_t>(robot.centres[3].frame)].name, "index_middle");
+  ASSERT_EQ(robot.joint_centres.size(), 4u);  // elbow, wrist and the two fingers' middle joints
+  EXPECT_EQ(robot.frames[static_cast<std::size_t>(robot.joint_centres[3].frame)].name,
+            "index_middle");
 }
 
 }  // namespace

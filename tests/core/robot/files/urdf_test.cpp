@@ -36,8 +36,8 @@ TEST(Urdf, JointsInTheFilesOrderBehindTheirParents) {
   EXPECT_THAT(std::vector(robot.jerk.begin(), robot.jerk.end()), ElementsAre(25, 70));
   EXPECT_EQ(robot.shoulder_frame, 1);
   EXPECT_EQ(robot.palm_frame, 3);
-  ASSERT_EQ(robot.centres.size(), 1u);  // the elbow: both joints turn across the arm
-  EXPECT_EQ(robot.centres[0].frame, 2);
+  ASSERT_EQ(robot.joint_centres.size(), 1u);  // the elbow: both joints turn across the arm
+  EXPECT_EQ(robot.joint_centres[0].frame, 2);
 }
 
 TEST(Urdf, CoupledJointsThroughOneAnother) {
@@ -74,7 +74,7 @@ TEST(Urdf, ShapesAreHeldByCapsulesAndSrdfAllowsPairs) {
   EXPECT_TRUE(robot.capsules[2].may_touch_target);
   EXPECT_FALSE(robot.capsules[1].may_touch_target);
   using Pair = std::array<int, 2>;
-  EXPECT_THAT(robot.allowed_pairs, ElementsAre(Pair{0, 1}, Pair{0, 2}, Pair{1, 2}));
+  EXPECT_THAT(robot.allowed_collision_pairs, ElementsAre(Pair{0, 1}, Pair{0, 2}, Pair{1, 2}));
 }
 
 /// Whatever the shape, every point of it lies in one of the capsules that stand for it.
@@ -130,7 +130,7 @@ TEST(Urdf, MeshesAreLeftOutAndTheirLinksNamed) {
   yaml.erase(yaml.find("collision:"));
   const RobotDescription description = load_robot(write_robot("two", yaml));
   EXPECT_EQ(description.table.capsules.size(), 2u);
-  EXPECT_THAT(description.notes, Contains(HasSubstr("two.urdf: meshes of lower are left out")));
+  EXPECT_THAT(description.notes, Contains(HasSubstr("two.urdf: meshes of lower are ignored")));
   EXPECT_THAT(description.table.unchecked_links, ElementsAre("lower", "finger"));
   // The finger has no shape at all, but a tip 10 cm from its joint.
   yaml +=
@@ -195,10 +195,10 @@ TEST(Urdf, SrdfPairsHoldForAllCapsulesOfALink) {
       "  capsules: [{name: own, frame: lower, from: [0, 0, 0], to: [0, 0, 0.1], radius: 0.05}]\n";
   const RobotDescription description = load_robot(write_robot("two", yaml));
   using Pair = std::array<int, 2>;  // 0 stand, 1 upper, 2 ball, 3 own
-  EXPECT_THAT(description.table.allowed_pairs,
+  EXPECT_THAT(description.table.allowed_collision_pairs,
               ElementsAre(Pair{0, 1}, Pair{0, 2}, Pair{0, 3}, Pair{1, 2}, Pair{1, 3}, Pair{2, 3}));
   EXPECT_THAT(description.notes,
-              Contains(HasSubstr("two.srdf:3: there is no link 'camera': the pair is left out")));
+              Contains(HasSubstr("two.srdf:3: there is no link 'camera'; pair ignored")));
 }
 
 constexpr const char* kFinger = R"(<robot name="finger">
@@ -231,11 +231,13 @@ TEST(Urdf, WhatACoupledJointMayDoLimitsItsDriver) {
   EXPECT_NEAR(robot.acceleration[0], 30 / 1.0585, 1e-12);
   ASSERT_EQ(robot.coupled_limits.size(), 1u);
   EXPECT_EQ(robot.coupled_limits[0].upper, 2.6586);
-  EXPECT_THAT(finger.notes, Contains(HasSubstr("joint q1: q2, which is coupled to it, leaves "
-                                               "[0, 1.828] of [0, 2.094]")));
+  EXPECT_THAT(finger.notes,
+              Contains(HasSubstr("joint q1: q2, which is coupled to it, reduces its limits to "
+                                 "[0, 1.828] from [0, 2.094]")));
   // Told to, a position limit of a copy is left out; its velocity is not.
   std::string yaml = kFingerYaml;
-  yaml.replace(yaml.find("jerk: 300"), 9, "jerk: 300, limits: [{joint: q2, enforce: false}]");
+  yaml.replace(yaml.find("jerk: 300"), 9,
+               "jerk: 300, limits: [{joint: q2, enforce_position_limits: false}]");
   const RobotModel free = written_robot("free", yaml);
   EXPECT_EQ(free.upper[0], 2.0944);
   EXPECT_NEAR(free.velocity[0], 8.07 / 1.0585, 1e-12);
@@ -244,7 +246,7 @@ TEST(Urdf, WhatACoupledJointMayDoLimitsItsDriver) {
 TEST(Urdf, PrismaticJointsSlide) {
   write_text("finger.urdf", kFinger);
   const RobotModel robot = written_robot("finger", kFingerYaml);
-  EXPECT_TRUE(robot.frames[3].slides);
+  EXPECT_TRUE(robot.frames[3].prismatic);
   EXPECT_EQ(robot.upper[1], 0.02);
   std::vector<Pose> frames;
   forward_kinematics(robot, Eigen::Vector2d(-0.7235 / 1.0585, 0.015), frames);
@@ -255,7 +257,7 @@ TEST(Urdf, PrismaticJointsSlide) {
 TEST(Urdf, JointsMayBeHeldAndThoseThatMoveNoTipAre) {
   write_text("finger.urdf", kFinger);
   std::string yaml = kFingerYaml;
-  yaml += "hold: [{joint: slide, at: 0.01}]\n";
+  yaml += "fixed_joints: [{joint: slide, position: 0.01}]\n";
   const RobotModel held = written_robot("finger", yaml);
   EXPECT_THAT(held.joint_names, ElementsAre("q1"));
   std::vector<Pose> frames, free;
@@ -267,8 +269,9 @@ TEST(Urdf, JointsMayBeHeldAndThoseThatMoveNoTipAre) {
   yaml.replace(yaml.find("frame: pad"), 10, "frame: distal");
   const RobotDescription stopped = load_robot(write_robot("stopped", yaml));
   EXPECT_THAT(stopped.table.joint_names, ElementsAre("q1"));
-  EXPECT_THAT(stopped.notes, Contains(HasSubstr("joints that move no tip are held: slide at 0")));
-  yaml += "hold: [{joint: slide, at: 0.03}]\n";
+  EXPECT_THAT(stopped.notes,
+              Contains(HasSubstr("joints that move no fingertip are fixed: slide at 0")));
+  yaml += "fixed_joints: [{joint: slide, position: 0.03}]\n";
   EXPECT_THAT(error_of(yaml), HasSubstr("0.03 is outside its limits, 0 to 0.02"));
 }
 
@@ -294,7 +297,8 @@ TEST(Urdf, BrakingCurvesDrawPositionLimitsIn) {
   write_text("finger.urdf", kFinger);
   std::string yaml = kFingerYaml;
   yaml.replace(yaml.find("jerk: 300"), 9,
-               "jerk: 300, limits: [{joint: q1, velocity: 2.62, braking: {slope: 12, drop: 0.3, "
+               "jerk: 300, limits: [{joint: q1, velocity: 2.62, braking: {twice_deceleration: 12, "
+               "velocity_offset: 0.3, "
                "lower_end: -2.7501, upper_end: 1.7}}]");
   const RobotModel robot = written_robot("finger", yaml);
   ASSERT_EQ(robot.braking_curves.size(), 1u);
@@ -313,7 +317,7 @@ TEST(Urdf, TooManyLinksAreRefused) {
         k - 1, k);
   }
   write_text("finger.urdf", urdf + "</robot>");
-  EXPECT_THAT(error_of(kFingerYaml), HasSubstr("has 100000 links; up to 4096 are read"));
+  EXPECT_THAT(error_of(kFingerYaml), HasSubstr("has 100000 links; at most 4096 are allowed"));
   std::string deep = "<robot name=\"deep\">";
   for (int k = 0; k < 100000; ++k) deep += "<link>";
   write_text("finger.urdf", deep);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/moveit/read_messages.hpp"
+#include "tests/support/moveit_problem.hpp"
 
 namespace morphe::moveit {
 namespace {
@@ -50,7 +51,7 @@ struct GoalReader {
     const config::ConfigNode region = node["constraint_region"];
     wanted.regions = read_shapes(region, frames.pose_of(node));
     if (region.has("meshes") && !region["meshes"].items().empty()) {
-      region["meshes"].fail("a goal's region must be made of primitives");
+      region["meshes"].fail("must be empty; only primitives are supported as goal regions");
     }
     goal.positions.push_back(std::move(wanted));
   }
@@ -74,8 +75,9 @@ struct GoalReader {
     const auto joints = items_of(node, "joint_constraints");
     const auto positions = items_of(node, "position_constraints");
     const auto orientations = items_of(node, "orientation_constraints");
-    refuse(node, "visibility_constraints", "visibility is not understood");
-    if (joints.empty() && positions.empty() && orientations.empty()) node.fail("asks for nothing");
+    refuse(node, "visibility_constraints", "visibility constraints are not supported");
+    if (joints.empty() && positions.empty() && orientations.empty())
+      node.fail("has no constraints");
     for (const config::ConfigNode& item : joints) joint(item);
     for (const config::ConfigNode& item : positions) position(item);
     for (const config::ConfigNode& item : orientations) orientation(item);
@@ -92,7 +94,7 @@ std::vector<PlanningGoal> read_goals(const config::ConfigNode& request,
   const config::ConfigNode list = request["goal_constraints"];
   GoalReader reader{robot, frames};
   for (const config::ConfigNode& node : list.items()) goals.push_back(reader.read(node));
-  if (goals.empty()) list.fail("holds no goal");
+  if (goals.empty()) list.fail("has no goals");
   return goals;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/motion/scene.hpp"
+#include "core/moveit/read_messages.hpp"
 #include "core/robot/files/description.hpp"
 
 namespace morphe::moveit {
@@ -59,7 +60,9 @@ PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
                                     const std::filesystem::path& request_file,
                                     const robot::RobotDescription& robot);
 
-/// Reads only the objects of a planning scene, in the scene's world frame.
-Scene read_moveit_scene(const std::filesystem::path& scene_file);
+/// Reads the goal_constraints of a request.
+std::vector<PlanningGoal> read_goals(const config::ConfigNode& request,
+                                     const robot::RobotDescription& robot,
+                                     const FixedFrames& frames);
 
 }  // namespace morphe::moveit

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/moveit/read_messages.hpp"
+#include "tests/support/moveit_problem.hpp"
 
 namespace morphe::moveit {
 namespace {
@@ -25,7 +26,7 @@ struct StateReader {
   void read(const config::ConfigNode& owner, const char* key) {
     if (!owner.has(key)) return;
     const config::ConfigNode state = owner[key];
-    refuse(state, "attached_collision_objects", "attached objects are not understood");
+    refuse(state, "attached_collision_objects", "attached objects are not supported");
     if (state.has("joint_state")) read_joints(state["joint_state"]);
     if (state.has("multi_dof_joint_state")) read_base(state["multi_dof_joint_state"]);
   }
@@ -36,7 +37,7 @@ struct StateReader {
     const std::vector<double> values = node["position"].numbers();
     if (names.size() != values.size()) {
       node["position"].fail(
-          fmt::format("has {} numbers for {} joints", values.size(), names.size()));
+          fmt::format("has {} values for {} joints", values.size(), names.size()));
     }
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto found = std::ranges::find(robot.joint_names, names[k]);
@@ -50,7 +51,8 @@ struct StateReader {
 
   void read_base(const config::ConfigNode& node) {
     const std::vector<config::ConfigNode> transforms = items_of(node, "transforms");
-    if (transforms.size() > 1) node["transforms"].fail("more than the base floats");
+    if (transforms.size() > 1)
+      node["transforms"].fail("must have only one transform, that of the base");
     if (!transforms.empty()) world_from_base = read_transform(transforms.front());
   }
 };
@@ -82,7 +84,7 @@ void allow_links(const robot::RobotDescription& robot, const std::string& one,
       const int a = table.capsules[static_cast<std::size_t>(i)].frame;
       const int b = table.capsules[static_cast<std::size_t>(k)].frame;
       if ((a == first && b == second) || (a == second && b == first)) {
-        table.allowed_pairs.push_back({i, k});
+        table.allowed_collision_pairs.push_back({i, k});
       }
     }
   }
@@ -97,22 +99,23 @@ void read_allowed_collisions(const config::ConfigNode& scene, const robot::Robot
   if (!matrix.has("entry_names")) return;
   const std::vector<std::string> names = matrix["entry_names"].texts();
   const std::vector<config::ConfigNode> rows = matrix["entry_values"].items();
-  if (rows.size() != names.size()) matrix["entry_values"].fail("is not as long as entry_names");
+  if (rows.size() != names.size()) matrix["entry_values"].fail("must be as long as entry_names");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const std::vector<config::ConfigNode> row =
         (rows[i].is_map() ? rows[i]["enabled"] : rows[i]).items();
-    if (row.size() != names.size()) rows[i].fail("is not as long as entry_names");
+    if (row.size() != names.size()) rows[i].fail("must be as long as entry_names");
     for (std::size_t k = 0; k < i; ++k) {
       if (!row[k].boolean()) continue;
       if (robot.links.contains(names[i]) && robot.links.contains(names[k])) {
         allow_links(robot, names[i], names[k], problem.robot);
       } else {
-        problem.notes.push_back(fmt::format("{}: {} and {} may touch there, but stay checked",
-                                            source_location(rows[i]), names[i], names[k]));
+        problem.notes.push_back(fmt::format(
+            "{}: the allowed collision of {} and {} is ignored: not both are links of this robot",
+            source_location(rows[i]), names[i], names[k]));
       }
     }
   }
-  auto& pairs = problem.robot.allowed_pairs;
+  auto& pairs = problem.robot.allowed_collision_pairs;
   std::ranges::sort(pairs);
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
@@ -127,7 +130,7 @@ std::string root_link(const robot::RobotDescription& robot) {
 void refuse_padding(const config::ConfigNode& scene, const char* key, const char* value,
                     double neutral) {
   for (const config::ConfigNode& item : items_of(scene, key)) {
-    if (item[value].number() != neutral) item[value].fail("padding is not understood");
+    if (item[value].number() != neutral) item[value].fail("padding and scaling are not supported");
   }
 }
 
@@ -148,15 +151,16 @@ PlanningProblem read_moveit_problem(const std::filesystem::path& scene_file,
   state.read(scene, "robot_state");
   state.read(request, "start_state");
   for (const std::string& joint : state.unknown) {
-    problem.notes.push_back(fmt::format("{}: joint {} is none that this robot moves: left as it is",
-                                        source_location(request), joint));
+    problem.notes.push_back(
+        fmt::format("{}: joint {} is not an actuated joint of this robot; ignored",
+                    source_location(request), joint));
   }
   problem.start = state.position;
   check_start(request, robot.table, problem.start);
   refuse_padding(scene, "link_padding", "padding", 0);
   refuse_padding(scene, "link_scale", "scale", 1);
-  refuse(request, "path_constraints", "path constraints are not understood");
-  refuse(request, "trajectory_constraints", "trajectory constraints are not understood");
+  refuse(request, "path_constraints", "path constraints are not supported");
+  refuse(request, "trajectory_constraints", "trajectory constraints are not supported");
   const FixedFrames frames = read_frames(scene, root_link(robot), state.world_from_base.inverse());
   problem.scene = read_objects(scene, frames);
   read_allowed_collisions(scene, robot, problem);
