@@ -177,7 +177,7 @@ class Diff(FewCase):
         found = self.found()
         self.assertEqual(list(found), [("synthetic_000001/000", "@required_clearance"),
                                        ("synthetic_000001/000", "goals/time")])
-        self.assertEqual(found["synthetic_000001/000", "@margin"][0], margin)
+        self.assertEqual(found["synthetic_000001/000", "@required_clearance"][0], margin)
         self.assertLess(found["synthetic_000001/000", "goals/time"][0], 1e-15)
 
     def test_nan_on_one_side_shapes_names_and_status(self):
