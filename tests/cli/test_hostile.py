@@ -121,7 +121,7 @@ class Outputs(CommandCase):
         self.assertEqual(sha256(recording), before)
         plans = self.folder / "plans.h5"
         shutil.copy(SAMPLE, plans)
-        self.refuses(morphe("report", plans, "--out", plans), plans, "would be replaced")
+        self.refuses(morphe("report", plans, "--out", plans), plans, "would replace it")
         self.assertEqual(sha256(plans), sha256(SAMPLE))
 
     def test_devices(self):
