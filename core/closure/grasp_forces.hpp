@@ -41,7 +41,8 @@ struct GraspForces {
 
 /// Computes the forces (f_n, f_t, m) of the contacts and the level F, in units of max_force_n. It
 ///   minimises 100 |residual| + 1/2 (2 - F)^2 + 0.005 sum (2 F - f_n)^2
-///                                           + 0.0005 sum (|f_t|^2 / mu^2 + m^2 / gamma^2)
+///                                           + 0.0005 sum (|f_t|^2 / mu^2 + m^2 / gamma^2) /
+///                                           friction_cone_share^2
 ///   subject to min_force_share F <= f_n <= F <= 1, cones of friction_cone_share times mu and
 ///   gamma, and the bounds.
 /// The priorities are, in this order: balance, the requested force level, equal normal forces, and

@@ -9,8 +9,8 @@
 namespace morphe::synthesize {
 
 /// A synthetic recording and its ground truth. Both have the same name, labels and object (if there
-/// is one), and list in `reports` the values that were drawn: the kind of every movement and the
-/// clock offset of the glove.
+/// is one), and list in `import_notes` the values that were drawn: the kind of every movement and
+/// the clock offset of the glove.
 struct SyntheticRecording {
   /// The recording: sensors shoulder, elbow (on the upper arm), wrist (on the hand) and the glove,
   /// with noise; the calibration pose and the sensor offsets derived from it; the true labels.

@@ -26,9 +26,9 @@ struct RecordingFiles {
 
 /// A recording format. `recognises` tests the first bytes of a file (without a UTF-8 mark). `read`
 /// fills the streams, the calibration, the objects and other data of the file (such as the
-/// subject), in the world frame and in metres, and lists its assumptions and repairs in `reports`.
-/// It throws InputError for a violation of the format, and UnresolvedConvention for axes, a unit or
-/// a rate that neither the file nor `conventions` gives, or that is implausible:
+/// subject), in the world frame and in metres, and lists its assumptions and repairs in
+/// `import_notes`. It throws InputError for a violation of the format, and UnresolvedConvention for
+/// axes, a unit or a rate that neither the file nor `conventions` gives, or that is implausible:
 /// unresolved_import.hpp asks for all of them at once.
 struct RecordingFormat {
   std::string name;                           ///< one of import_format_names()
