@@ -2,6 +2,8 @@
 add_library(morphe_flags INTERFACE)
 target_include_directories(morphe_flags INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(morphe_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+# Indices are signed, and containers count without sign: g++'s -Wconversion lets that pass.
+target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>)
 # g++ 12 warns of overlaps inside its own std::string (GCC bug 105651).
 target_compile_options(morphe_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 # … and, behind a precompiled header, of copies inside its own strings.

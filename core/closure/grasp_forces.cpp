@@ -66,8 +66,7 @@ void add_objective(const Unknowns& unknowns, const Wrench& load, BarrierProblem&
 void add_bounds(const Unknowns& unknowns, const GraspForceOptions& options,
                 const std::vector<ForceBound>& bounds, BarrierProblem& problem) {
   const auto n = static_cast<Eigen::Index>(unknowns.set.cones.size());
-  problem.rows =
-      Eigen::MatrixXd::Zero(2 * n + 1 + static_cast<Eigen::Index>(bounds.size()), unknowns.count());
+  problem.rows = Eigen::MatrixXd::Zero(2 * n + 1 + bounds.size(), unknowns.count());
   problem.row_bounds = Eigen::VectorXd::Zero(problem.rows.rows());
   for (Eigen::Index k = 0; k < n; ++k) {
     problem.rows(2 * k, 4 * k) = -1;  // share F <= f_n
@@ -128,7 +127,7 @@ GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& lo
                           options.friction_cone_share * contacts.friction.mu,
                           options.friction_cone_share * contacts.friction.gamma_m};
   BarrierProblem problem;
-  problem.cones = static_cast<Eigen::Index>(unknowns.set.cones.size());
+  problem.cones = unknowns.set.cones.size();
   add_objective(unknowns, load / options.max_force_n, problem);
   add_bounds(unknowns, options, bounds, problem);
   Eigen::VectorXd x = feasible_start(unknowns, options.min_force_share, problem);

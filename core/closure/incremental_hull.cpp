@@ -15,7 +15,7 @@ IncrementalHull::IncrementalHull(const std::vector<Wrench>& corners)
   // k of E's pseudo-inverse, which points outwards through the facet without corner k.
   WrenchColumns edges(6, dimension_);
   for (int k = 0; k < dimension_; ++k) {
-    edges.col(k) = corners[static_cast<std::size_t>(k) + 1] - corners[0];
+    edges.col(k) = corners[k + 1] - corners[0];
   }
   const Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> inverse =
       edges.colPivHouseholderQr().solve(Eigen::Matrix<double, 6, 6>::Identity());
@@ -26,7 +26,7 @@ IncrementalHull::IncrementalHull(const std::vector<Wrench>& corners)
     if (without == 0) {
       inwards = -inverse.colwise().sum().transpose();
     } else {
-      inwards = inverse.row(static_cast<Eigen::Index>(without) - 1).transpose();
+      inwards = inverse.row(without - 1).transpose();
     }
     facet.normal = -inwards.normalized();
     for (std::size_t slot = 0; slot < n; ++slot) {
@@ -56,7 +56,7 @@ bool IncrementalHull::set_distance(Facet& facet) const {
 bool IncrementalHull::insert(const Wrench& point, std::int32_t beyond, double slack) {
   const std::int32_t stamp = ++insertions_;
   const auto look = [&](std::int32_t id) {
-    Facet& facet = facets_[static_cast<std::size_t>(id)];
+    Facet& facet = facets_[id];
     if (facet.visited_by != stamp) {
       facet.visited_by = stamp;
       facet.height = facet.normal.dot(point) - facet.distance;
@@ -70,28 +70,28 @@ bool IncrementalHull::insert(const Wrench& point, std::int32_t beyond, double sl
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const std::int32_t id = visible_[k];
     for (std::size_t slot = 0; slot < static_cast<std::size_t>(dimension_); ++slot) {
-      const std::int32_t across = facets_[static_cast<std::size_t>(id)].neighbour[slot];
+      const std::int32_t across = facets_[id].neighbour[slot];
       if (!look(across)) horizon_.push_back({id, static_cast<std::int32_t>(slot)});
     }
   }
   const std::size_t first = facets_.size();
   points_.push_back(point);
   for (const Ridge& ridge : horizon_) {
-    if (!make_facet(ridge.visible, static_cast<std::size_t>(ridge.slot))) {
+    if (!make_facet(ridge.visible, ridge.slot)) {
       facets_.resize(first);
       points_.pop_back();
       return false;
     }
   }
   join_new_facets(first);
-  for (const std::int32_t id : visible_) facets_[static_cast<std::size_t>(id)].alive = false;
+  for (const std::int32_t id : visible_) facets_[id].alive = false;
   return true;
 }
 
 /// Makes the facet of the last point and the ridge of a visible facet without its vertex `slot`.
 bool IncrementalHull::make_facet(std::int32_t visible, std::size_t slot) {
-  const Facet& near = facets_[static_cast<std::size_t>(visible)];
-  const Facet& far = facets_[static_cast<std::size_t>(near.neighbour[slot])];
+  const Facet& near = facets_[visible];
+  const Facet& far = facets_[near.neighbour[slot]];
   Facet made;
   made.vertex = near.vertex;
   made.vertex[slot] = static_cast<std::int32_t>(points_.size()) - 1;
@@ -111,12 +111,11 @@ void IncrementalHull::join_new_facets(std::size_t first) {
   for (std::size_t k = 0; k < horizon_.size(); ++k) {
     const auto id = static_cast<std::int32_t>(first + k);
     const auto slot = static_cast<std::size_t>(horizon_[k].slot);
-    Facet& visible = facets_[static_cast<std::size_t>(horizon_[k].visible)];
+    Facet& visible = facets_[horizon_[k].visible];
     const Facet& made = facets_[first + k];
-    Facet& far = facets_[static_cast<std::size_t>(made.neighbour[slot])];
-    far.neighbour[static_cast<std::size_t>(made.reciprocal_slot[slot])] = id;
-    far.reciprocal_slot[static_cast<std::size_t>(made.reciprocal_slot[slot])] =
-        static_cast<std::int8_t>(slot);
+    Facet& far = facets_[made.neighbour[slot]];
+    far.neighbour[made.reciprocal_slot[slot]] = id;
+    far.reciprocal_slot[made.reciprocal_slot[slot]] = static_cast<std::int8_t>(slot);
     visible.neighbour[slot] = id;
     visible.reciprocal_slot[slot] = static_cast<std::int8_t>(slot);
   }
@@ -125,13 +124,13 @@ void IncrementalHull::join_new_facets(std::size_t first) {
     const auto ridge = static_cast<std::size_t>(horizon_[k].slot);
     for (std::size_t slot = 0; slot < static_cast<std::size_t>(dimension_); ++slot) {
       if (slot == ridge) continue;
-      const Facet* here = &facets_[static_cast<std::size_t>(horizon_[k].visible)];
+      const Facet* here = &facets_[horizon_[k].visible];
       std::size_t across = slot, kept = ridge;
       while (static_cast<std::size_t>(here->neighbour[across]) < first) {
-        const Facet* next = &facets_[static_cast<std::size_t>(here->neighbour[across])];
+        const Facet* next = &facets_[here->neighbour[across]];
         const auto entry = static_cast<std::size_t>(here->reciprocal_slot[across]);
         const auto turn = std::find(next->vertex.begin(), next->vertex.end(), here->vertex[kept]);
-        across = static_cast<std::size_t>(turn - next->vertex.begin());
+        across = turn - next->vertex.begin();
         kept = entry;
         here = next;
       }

@@ -42,7 +42,7 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const BoundTole
   std::int32_t ranked = 0;
   while (true) {
     for (; ranked < static_cast<std::int32_t>(facets.size()); ++ranked) {
-      const IncrementalHull::Facet& facet = facets[static_cast<std::size_t>(ranked)];
+      const IncrementalHull::Facet& facet = facets[ranked];
       const double g = gauge(facet.normal), distance = facet.distance - set.rounding;
       if (g > kGaugeTolerance) {
         queue.push({distance / g, ranked});
@@ -50,14 +50,13 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const BoundTole
         queue.push({-kInfinity, ranked});
       }
     }
-    while (!queue.empty() && !facets[static_cast<std::size_t>(queue.top().facet)].alive)
-      queue.pop();
+    while (!queue.empty() && !facets[queue.top().facet].alive) queue.pop();
     if (queue.empty()) break;
     const Rank least = queue.top();
     if (least.ratio > 0) bounds.lower = std::max(bounds.lower, least.ratio);
     if (is_within_tolerance(bounds, tolerance) || found.insertions >= tolerance.max_insertions)
       break;
-    const Wrench u = facets[static_cast<std::size_t>(least.facet)].normal;
+    const Wrench u = facets[least.facet].normal;
     const Support there = support(set, u);
     ask(there.value, u);
     if (is_within_tolerance(bounds, tolerance)) break;

@@ -15,13 +15,13 @@ struct Corral {
   int count = 0;
 
   void add(const Wrench& added) {
-    point[static_cast<std::size_t>(count)] = added;
-    share[static_cast<std::size_t>(count++)] = 0;
+    point[count] = added;
+    share[count++] = 0;
   }
   void remove(int k) {
     for (int j = k; j + 1 < count; ++j) {
-      point[static_cast<std::size_t>(j)] = point[static_cast<std::size_t>(j) + 1];
-      share[static_cast<std::size_t>(j)] = share[static_cast<std::size_t>(j) + 1];
+      point[j] = point[j + 1];
+      share[j] = share[j + 1];
     }
     --count;
   }
@@ -38,14 +38,14 @@ std::array<double, 8> affine_shares(const Corral& corral) {
   const int edges = corral.count - 1;
   WrenchColumns matrix(6, edges);
   for (int k = 0; k < edges; ++k) {
-    matrix.col(k) = corral.point[static_cast<std::size_t>(k) + 1] - corral.point[0];
+    matrix.col(k) = corral.point[k + 1] - corral.point[0];
   }
   shares[0] = 1;
   if (edges == 0) return shares;
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1> solved =
       matrix.colPivHouseholderQr().solve(-corral.point[0]);
   for (int k = 0; k < edges; ++k) {
-    shares[static_cast<std::size_t>(k) + 1] = solved[k];
+    shares[k + 1] = solved[k];
     shares[0] -= solved[k];
   }
   return shares;

@@ -19,7 +19,7 @@ void attach_target(const std::vector<double>& demonstration_time, const JointRow
   world.attached = {};
   if (world.target < 0) return;
   const RobotModel& robot = *world.robot;
-  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  const SceneObject& target = world.scene->objects[world.target];
   const auto frame =
       std::ranges::find(robot.frames, target.attached_frame, &RobotModel::Frame::name);
   const auto first_from = [&](double time_s) {
@@ -36,12 +36,12 @@ void attach_target(const std::vector<double>& demonstration_time, const JointRow
   const auto frame_at = [&](auto sample) -> const Pose& {
     const JointVector q = position.row(sample - demonstration_time.begin());
     robot::forward_kinematics(robot, q, base_from_frame);
-    return base_from_frame[static_cast<std::size_t>(carried.frame)];
+    return base_from_frame[carried.frame];
   };
   carried.frame_from_object = frame_at(taken).inverse() * recorded_pose(target, *taken);
-  carried.motion_bounds = robot::sphere_motion_bounds(
-      robot, carried.frame, carried.frame_from_object.translation(),
-      bounding_radius(solid_at(world, static_cast<std::size_t>(world.target))));
+  carried.motion_bounds =
+      robot::sphere_motion_bounds(robot, carried.frame, carried.frame_from_object.translation(),
+                                  bounding_radius(solid_at(world, world.target)));
   if (std::isnan(target.release_s)) return;
   const auto released = first_from(target.release_s);
   if (released == demonstration_time.end()) return;

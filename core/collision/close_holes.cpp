@@ -68,8 +68,7 @@ std::vector<Eigen::Vector3i> fill_hole(const std::vector<Vec3>& vertices, std::v
   while (rim.size() >= 3) {
     const std::size_t count = rim.size();
     const auto across = [&](std::size_t k) {
-      return (vertices[static_cast<std::size_t>(rim[(k + count - 1) % count])] -
-              vertices[static_cast<std::size_t>(rim[(k + 1) % count])])
+      return (vertices[rim[(k + count - 1) % count]] - vertices[rim[(k + 1) % count]])
           .squaredNorm();
     };
     std::size_t best = 0;
@@ -77,14 +76,14 @@ std::vector<Eigen::Vector3i> fill_hole(const std::vector<Vec3>& vertices, std::v
       if (across(k) < across(best)) best = k;
     }
     lid.push_back({rim[(best + count - 1) % count], rim[best], rim[(best + 1) % count]});
-    rim.erase(rim.begin() + static_cast<std::ptrdiff_t>(best));
+    rim.erase(rim.begin() + best);
   }
   return lid;
 }
 
 double width_of(const std::vector<Vec3>& vertices, const std::vector<int>& rim,
                 const std::vector<Eigen::Vector3i>& lid) {
-  const auto at = [&](int k) -> const Vec3& { return vertices[static_cast<std::size_t>(k)]; };
+  const auto at = [&](int k) -> const Vec3& { return vertices[k]; };
   double area = 0, length = 0;
   for (const Eigen::Vector3i& t : lid) {
     area += 0.5 * (at(t[1]) - at(t[0])).cross(at(t[2]) - at(t[0])).norm();
@@ -99,7 +98,7 @@ double width_of(const std::vector<Vec3>& vertices, const std::vector<int>& rim,
 
 void weld(SceneObject& mesh) {
   const auto cell = [&](int k) {
-    const Vec3 at = (mesh.vertices[static_cast<std::size_t>(k)] / kWeldTolerance_m).array().round();
+    const Vec3 at = (mesh.vertices[k] / kWeldTolerance_m).array().round();
     return std::tuple(at.x(), at.y(), at.z());
   };
   std::vector<int> order(mesh.vertices.size()), first(mesh.vertices.size());
@@ -107,8 +106,7 @@ void weld(SceneObject& mesh) {
   std::ranges::stable_sort(order, {}, cell);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && cell(order[k]) == cell(order[k - 1]);
-    first[static_cast<std::size_t>(order[k])] =
-        same ? first[static_cast<std::size_t>(order[k - 1])] : order[k];
+    first[order[k]] = same ? first[order[k - 1]] : order[k];
   }
   std::vector<Vec3> kept;
   std::vector<int> number(first.size());
@@ -123,7 +121,7 @@ void weld(SceneObject& mesh) {
   mesh.vertices = std::move(kept);
   std::vector<Eigen::Vector3i> triangles;
   for (const Eigen::Vector3i& t : mesh.triangles) {
-    const auto corner = [&](int k) { return number[static_cast<std::size_t>(t[k])]; };
+    const auto corner = [&](int k) { return number[t[k]]; };
     const Eigen::Vector3i welded(corner(0), corner(1), corner(2));
     if (welded[0] == welded[1] || welded[1] == welded[2] || welded[2] == welded[0]) continue;
     triangles.push_back(welded);

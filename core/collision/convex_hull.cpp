@@ -19,7 +19,7 @@ bool replace_by_convex_hull(SceneObject& mesh) {
       const std::size_t corner = facet.corners[k];
       const auto [place, added] = kept.emplace(corner, static_cast<int>(vertices.size()));
       if (added) vertices.push_back(mesh.vertices[corner]);
-      triangle[static_cast<Eigen::Index>(k)] = place->second;
+      triangle[k] = place->second;
     }
   }
   mesh.vertices = std::move(vertices);

@@ -116,8 +116,8 @@ struct FclEngine::Trees {
     }
     checked.assign(count * count, 0);
     for (const auto& [i, j] : world.pairs) {
-      checked[static_cast<std::size_t>(i) * count + static_cast<std::size_t>(j)] = 1;
-      checked[static_cast<std::size_t>(j) * count + static_cast<std::size_t>(i)] = 1;
+      checked[i * count + j] = 1;
+      checked[j * count + i] = 1;
     }
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
       const Solid solid = solid_at(world, k);
@@ -233,7 +233,7 @@ void FclEngine::colliding_pairs(const Eigen::Ref<const JointVector>& q, double t
   });
   out.clear();
   for (const Trees::CollidingPair& found : trees_->found) {
-    const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(found.capsule)];
+    const CapsuleBody& first = scratch.bodies[found.capsule];
     const auto other = static_cast<std::size_t>(found.other);
     const Separation separation =
         found.object

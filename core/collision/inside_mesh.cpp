@@ -50,7 +50,7 @@ std::optional<bool> has_odd_crossings(const MeshSolid& mesh, const Vec3& point,
   const Vec3 inverse = direction.cwiseInverse();
   std::vector<int> stack = {0}, parts;
   while (!stack.empty()) {
-    const MeshSolid::Node& node = mesh.nodes[static_cast<std::size_t>(stack.back())];
+    const MeshSolid::Node& node = mesh.nodes[stack.back()];
     stack.pop_back();
     if (!ray_meets(node, point, inverse)) continue;
     if (node.count == 0) {
@@ -58,8 +58,8 @@ std::optional<bool> has_odd_crossings(const MeshSolid& mesh, const Vec3& point,
       stack.push_back(node.right);
     }
     for (int k = node.first; k < node.first + node.count; ++k) {
-      const MeshSolid::Triangle& triangle = mesh.triangles[static_cast<std::size_t>(k)];
-      if (!mesh.closed[static_cast<std::size_t>(triangle.part)]) continue;
+      const MeshSolid::Triangle& triangle = mesh.triangles[k];
+      if (!mesh.closed[triangle.part]) continue;
       const Hit hit = ray_hits(triangle, point, direction);
       if (hit == Hit::grazing) return std::nullopt;
       if (hit == Hit::yes) parts.push_back(triangle.part);

@@ -17,21 +17,20 @@ using Corners = std::array<int, 3>;
 /// Returns the triangles with coincident vertices merged. Triangles with two coincident vertices
 /// are degenerate and removed.
 std::vector<Corners> weld_corners(const SceneObject& mesh) {
-  const auto at = [&](int k) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(k)]; };
+  const auto at = [&](int k) -> const Vec3& { return mesh.vertices[k]; };
   const auto key = [&](int k) { return std::tuple(at(k).x(), at(k).y(), at(k).z()); };
   std::vector<int> order(mesh.vertices.size()), place(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, {}, key);
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
-    place[static_cast<std::size_t>(order[k])] =
-        same ? place[static_cast<std::size_t>(order[k - 1])] : order[k];
+    place[order[k]] = same ? place[order[k - 1]] : order[k];
   }
   std::vector<Corners> triangles;
   for (const Eigen::Vector3i& t : mesh.triangles) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = place[static_cast<std::size_t>(t[static_cast<int>(k)])];
+      corners[k] = place[t[static_cast<int>(k)]];
     }
     if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) {
       triangles.push_back(corners);
@@ -60,9 +59,8 @@ std::vector<HalfEdge> half_edges_of(const std::vector<Corners>& triangles) {
 }
 
 int root_of(std::vector<int>& parent, int t) {
-  while (parent[static_cast<std::size_t>(t)] != t) {
-    t = parent[static_cast<std::size_t>(t)] =
-        parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(t)])];
+  while (parent[t] != t) {
+    t = parent[t] = parent[parent[t]];
   }
   return t;
 }
@@ -76,7 +74,7 @@ std::vector<int> parts_of(std::size_t triangles, const std::vector<HalfEdge>& ha
     if (half_edges[k].edge() != half_edges[k - 1].edge()) continue;
     const int a = root_of(parent, half_edges[k - 1].triangle),
               b = root_of(parent, half_edges[k].triangle);
-    parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+    parent[std::max(a, b)] = std::min(a, b);
   }
   std::vector<int> part(triangles);
   count = 0;
@@ -117,8 +115,8 @@ int build(MeshSolid& solid, int first, int count) {
     return centre_of(a)[axis] < centre_of(b)[axis];
   });
   const int left = build(solid, first, half), right = build(solid, first + half, count - half);
-  solid.nodes[static_cast<std::size_t>(at)].left = left;
-  solid.nodes[static_cast<std::size_t>(at)].right = right;
+  solid.nodes[at].left = left;
+  solid.nodes[at].right = right;
   return at;
 }
 
@@ -142,19 +140,17 @@ MeshSolid make_mesh_solid(const SceneObject& mesh) {
   const std::vector<HalfEdge> half_edges = half_edges_of(triangles);
   int parts = 0;
   const std::vector<int> part = parts_of(triangles.size(), half_edges, parts);
-  solid.closed.assign(static_cast<std::size_t>(parts), 1);
+  solid.closed.assign(parts, 1);
   for (auto side = half_edges.begin(); side != half_edges.end();) {
     const auto next = std::upper_bound(
         side, half_edges.end(), side->edge(),
         [](const std::pair<int, int>& edge, const HalfEdge& other) { return edge < other.edge(); });
     const auto leaky = static_cast<std::size_t>(side->triangle);
-    if ((next - side) % 2 == 1) solid.closed[static_cast<std::size_t>(part[leaky])] = 0;
+    if ((next - side) % 2 == 1) solid.closed[part[leaky]] = 0;
     side = next;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto vertex = [&](std::size_t k) {
-      return mesh.vertices[static_cast<std::size_t>(triangles[t][k])];
-    };
+    const auto vertex = [&](std::size_t k) { return mesh.vertices[triangles[t][k]]; };
     solid.triangles.push_back({vertex(0), vertex(1), vertex(2), part[t]});
     for (std::size_t k = 0; k < 3; ++k) solid.radius = std::max(solid.radius, vertex(k).norm());
   }

@@ -10,8 +10,8 @@ namespace {
 
 /// Returns the frame that moves a capsule, or -1 if no joint moves it.
 int moving_frame(const robot::Robot& robot, int capsule) {
-  const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
-  return frame < 0 ? -1 : robot.moving_frame[static_cast<std::size_t>(frame)];
+  const int frame = robot.capsules[capsule].frame;
+  return frame < 0 ? -1 : robot.moving_frame[frame];
 }
 
 std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {

@@ -33,7 +33,7 @@ bool foot_in(const MeshSolid::Triangle& t, const Vec3& normal, const Vec3& point
 /// Updates the nearest points with a triangle. They are an intersection, an end point and its
 /// projection, or a point of the segment and one of an edge.
 void try_triangle(const MeshSolid& mesh, int k, const Vec3& from, const Vec3& to, Nearest& best) {
-  const MeshSolid::Triangle& t = mesh.triangles[static_cast<std::size_t>(k)];
+  const MeshSolid::Triangle& t = mesh.triangles[k];
   const Vec3 normal = normal_of(t);
   const auto keep = [&](const Vec3& on_segment, const Vec3& on_mesh, double squared) {
     if (squared < best.squared) best = {squared, on_segment, on_mesh, k};
@@ -61,7 +61,7 @@ double squared_distance_lower_bound(const MeshSolid::Node& node, const Vec3& low
 
 void descend(const MeshSolid& mesh, int at, const Vec3& from, const Vec3& to, const Vec3& low,
              const Vec3& high, Nearest& best) {
-  const MeshSolid::Node& node = mesh.nodes[static_cast<std::size_t>(at)];
+  const MeshSolid::Node& node = mesh.nodes[at];
   if (node.count > 0) {
     for (int k = node.first; k < node.first + node.count; ++k) {
       try_triangle(mesh, k, from, to, best);
@@ -69,7 +69,7 @@ void descend(const MeshSolid& mesh, int at, const Vec3& from, const Vec3& to, co
     return;
   }
   const auto bound = [&](int child) {
-    return squared_distance_lower_bound(mesh.nodes[static_cast<std::size_t>(child)], low, high);
+    return squared_distance_lower_bound(mesh.nodes[child], low, high);
   };
   const double left = bound(node.left), right = bound(node.right);
   const bool left_first = left <= right;
@@ -140,7 +140,7 @@ double mesh_distance_lower_bound(const MeshSolid& mesh, const Vec3& point) {
 double mesh_distance(const MeshSolid& mesh, const Vec3& point, Vec3& gradient) {
   const Nearest near = nearest_points(mesh, point, point);
   const double sign = is_inside(mesh, point) ? -1 : 1, apart = std::sqrt(near.squared);
-  const Vec3 normal = normal_of(mesh.triangles[static_cast<std::size_t>(near.triangle)]);
+  const Vec3 normal = normal_of(mesh.triangles[near.triangle]);
   gradient = apart > kContactTolerance_m ? Vec3(sign * (point - near.on_mesh) / apart)
              : normal.norm() > 0         ? Vec3(normal.normalized())
                                          : Vec3(Vec3::UnitZ());
@@ -158,7 +158,7 @@ Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh) {
     result.normal = (near.on_segment - near.on_mesh) / apart;
   } else {
     // The segment intersects the surface: the normal points to the side of its longer part.
-    const Vec3 normal = normal_of(mesh.triangles[static_cast<std::size_t>(near.triangle)]);
+    const Vec3 normal = normal_of(mesh.triangles[near.triangle]);
     result.normal = normal.norm() > 0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
     if (result.normal.dot(capsule.from + capsule.to - 2 * near.on_mesh) < 0) {
       result.normal = -result.normal;

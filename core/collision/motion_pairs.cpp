@@ -28,8 +28,7 @@ void MotionPairs::set_interval(double s0, double middle, double s1) {
   const double middle_s = motion.demonstration_time(middle);
   update_bodies(world, scratch.position, middle_s, scratch);
   for (std::size_t c = 0; c < scratch.bodies.size(); ++c) {
-    scratch.body_travel[c] =
-        world.robot->capsule_motion_bounds.row(static_cast<Eigen::Index>(c)).dot(scratch.travel);
+    scratch.body_travel[c] = world.robot->capsule_motion_bounds.row(c).dot(scratch.travel);
   }
   for (std::size_t k = 0; k < objects(); ++k) {
     const SceneObject& object = world.scene->objects[k];
@@ -53,7 +52,7 @@ double MotionPairs::relative_travel(int a, const double* levers_a, int b,
     const bool first = a > b;
     int& frame = first ? a : b;
     int& last = first ? last_a : last_b;
-    const RobotModel::Frame& turned = world.robot->frames[static_cast<std::size_t>(frame)];
+    const RobotModel::Frame& turned = world.robot->frames[frame];
     if (turned.joint >= 0 && turned.joint != last) {
       sum_m += (first ? levers_a : levers_b)[turned.joint] * scratch.travel[turned.joint];
       last = turned.joint;
@@ -79,8 +78,7 @@ double MotionPairs::pair_travel(const PairSeparation& pair) const {
 }
 
 double MotionPairs::slack_lower_bound(const PairSeparation& pair) const {
-  const CollisionScratch::BoundingSphere& a =
-      scratch.bounding_spheres[static_cast<std::size_t>(pair.capsule)];
+  const CollisionScratch::BoundingSphere& a = scratch.bounding_spheres[pair.capsule];
   const double around = a.radius + pair.required_distance_m;
   const auto other = static_cast<std::size_t>(pair.other);
   if (!pair.other_is_object) {
@@ -93,7 +91,7 @@ double MotionPairs::slack_lower_bound(const PairSeparation& pair) const {
 }
 
 void MotionPairs::measure(PairSeparation& pair) const {
-  const CapsuleBody& first = scratch.bodies[static_cast<std::size_t>(pair.capsule)];
+  const CapsuleBody& first = scratch.bodies[pair.capsule];
   const auto other = static_cast<std::size_t>(pair.other);
   pair.separation = pair.other_is_object
                         ? capsule_solid(first, solid_at(world, other), scratch.object_poses[other])
@@ -112,7 +110,7 @@ double MotionPairs::parameter_at_time(double time_s) const {
 
 bool MotionPairs::may_touch(const PairSeparation& pair) const {
   return contact_allowed && pair.other_is_object && pair.other == world.target &&
-         world.robot->capsules[static_cast<std::size_t>(pair.capsule)].may_touch_target;
+         world.robot->capsules[pair.capsule].may_touch_target;
 }
 
 void MotionPairs::for_each_part(const std::function<bool(double, double)>& part) {

@@ -52,7 +52,7 @@ void visit_near(const CollisionWorld& world, CollisionScratch& scratch, const do
   std::size_t of = kNoBody, row = kNoBody;
   bool beside = false;
   for (const auto& [i, j] : world.pairs) {
-    const auto first = static_cast<std::size_t>(i), second = static_cast<std::size_t>(j);
+    const auto first = static_cast<std::size_t>(i), second = j;
     if (first != of || second / kCapsuleGroup != row) {
       of = first;
       row = second / kCapsuleGroup;
@@ -123,7 +123,7 @@ void place_groups(CollisionScratch& scratch) {
 
 bool may_touch(const CollisionWorld& world, int capsule, int object, double time_s) {
   return object == world.target && time_s >= world.touch_begin_s && time_s <= world.touch_end_s &&
-         world.robot->capsules[static_cast<std::size_t>(capsule)].may_touch_target;
+         world.robot->capsules[capsule].may_touch_target;
 }
 
 double allowed_contact_depth_m(const CollisionWorld& world, int capsule) {
@@ -155,7 +155,7 @@ void update_bodies_from_frames(const CollisionWorld& world, double time_s,
     if (capsule.frame < 0) {
       body = {capsule.from, capsule.to, capsule.radius};
     } else {
-      const Pose& pose = scratch.base_from_frame[static_cast<std::size_t>(capsule.frame)];
+      const Pose& pose = scratch.base_from_frame[capsule.frame];
       body = {pose * capsule.from, pose * capsule.to, capsule.radius};
     }
     scratch.bounding_spheres[i].centre = 0.5 * (body.from + body.to);
@@ -167,11 +167,10 @@ void update_bodies_from_frames(const CollisionWorld& world, double time_s,
     scratch.object_poses[k] = recorded_pose(world.scene->objects[k], time_s);
   }
   if (world.attached.frame < 0 || world.target < 0) return;
-  Pose& target = scratch.object_poses[static_cast<std::size_t>(world.target)];
+  Pose& target = scratch.object_poses[world.target];
   const TargetState place = target_state_at(world, time_s);
   if (place == TargetState::attached) {
-    target = scratch.base_from_frame[static_cast<std::size_t>(world.attached.frame)] *
-             world.attached.frame_from_object;
+    target = scratch.base_from_frame[world.attached.frame] * world.attached.frame_from_object;
   } else if (place == TargetState::released) {
     target = world.attached.base_from_released;
   }
@@ -249,7 +248,7 @@ double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector
 }
 
 std::string first_body_name(const CollisionWorld& world, const PairSeparation& pair) {
-  return world.robot->capsules[static_cast<std::size_t>(pair.capsule)].name;
+  return world.robot->capsules[pair.capsule].name;
 }
 
 std::string second_body_name(const CollisionWorld& world, const PairSeparation& pair) {

@@ -361,7 +361,7 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   std::vector<std::string> steps;
   for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
   if (steps.empty()) throw InputError("--set: must have the form a.b=value");
-  if (steps.size() > static_cast<std::size_t>(kMaxNestingDepth))
+  if (steps.size() > kMaxNestingDepth)
     throw InputError(fmt::format("--set: names more than {} levels", kMaxNestingDepth));
   for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
     Value* child = parent->find(steps[i]);

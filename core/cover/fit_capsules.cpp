@@ -139,7 +139,7 @@ std::vector<std::size_t> greedy_set_cover(const Segments& segments, std::size_t 
     for (std::size_t p = 0; p < points; ++p) {
       if (segments.distance[best * points + p] + covered[p] <= reach) covered[p] = kCovered;
     }
-    left -= static_cast<std::size_t>(gain);
+    left -= gain;
     choice.push_back(best);
   }
   return left == 0 ? choice : std::vector<std::size_t>{};
@@ -148,12 +148,10 @@ std::vector<std::size_t> greedy_set_cover(const Segments& segments, std::size_t 
 std::vector<CapsuleBody> least_growth_cover(const Segments& segments, std::size_t points,
                                             int budget, double extent_m) {
   double low = 0, high = extent_m;
-  std::vector<std::size_t> best =
-      greedy_set_cover(segments, points, high, static_cast<std::size_t>(budget));
+  std::vector<std::size_t> best = greedy_set_cover(segments, points, high, budget);
   for (int k = 0; k < kGrowthBisectionCount; ++k) {
     const double growth = 0.5 * (low + high);
-    std::vector<std::size_t> choice =
-        greedy_set_cover(segments, points, growth, static_cast<std::size_t>(budget));
+    std::vector<std::size_t> choice = greedy_set_cover(segments, points, growth, budget);
     if (choice.empty()) {
       low = growth;
     } else {
@@ -436,7 +434,7 @@ CapsuleFit fit_capsules(const std::vector<SceneObject>& bodies, int budget,
                            voxels.step_m * (kCellsOnLongestSide + 1) * std::sqrt(3.0));
     refine(capsules, points, voxels, name);
     while (capsules.size() < static_cast<std::size_t>(budget) &&
-           split(capsules, points, voxels, static_cast<std::size_t>(budget))) {
+           split(capsules, points, voxels, budget)) {
       refine(capsules, points, voxels, name);
     }
     enclose_points(capsules, points);

@@ -80,9 +80,7 @@ void add(const SceneObject& body, std::vector<Triangle>& out) {
                                     out);
     case Shape::mesh:
       for (const Eigen::Vector3i& t : body.triangles) {
-        const auto corner = [&](int k) -> Vec3 {
-          return pose * body.vertices[static_cast<std::size_t>(t[k])];
-        };
+        const auto corner = [&](int k) -> Vec3 { return pose * body.vertices[t[k]]; };
         out.push_back({corner(0), corner(1), corner(2)});
       }
   }
@@ -116,8 +114,8 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
     const double at =
         sum * (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
     const auto found = std::ranges::upper_bound(upto, at);
-    const auto index = static_cast<std::size_t>(std::min<std::ptrdiff_t>(
-        found - upto.begin(), static_cast<std::ptrdiff_t>(upto.size()) - 1));
+    const auto index =
+        static_cast<std::size_t>(std::min<std::ptrdiff_t>(found - upto.begin(), upto.size() - 1));
     const Triangle& t = surface[index];
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1) {

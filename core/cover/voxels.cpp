@@ -17,20 +17,19 @@ void lower_envelope(const std::vector<double>& f, std::vector<double>& d, std::v
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   int k = -1;
   for (int q = 0; q < n; ++q) {
-    if (std::isinf(f[static_cast<std::size_t>(q)])) continue;
+    if (std::isinf(f[q])) continue;
     double s = -kInfinity;
     while (k >= 0) {
-      const int p = v[static_cast<std::size_t>(k)];
-      s = ((f[static_cast<std::size_t>(q)] + q * q) - (f[static_cast<std::size_t>(p)] + p * p)) /
-          (2.0 * (q - p));
-      if (s > z[static_cast<std::size_t>(k)]) break;
+      const int p = v[k];
+      s = ((f[q] + q * q) - (f[p] + p * p)) / (2.0 * (q - p));
+      if (s > z[k]) break;
       --k;
       s = -kInfinity;
     }
     ++k;
-    v[static_cast<std::size_t>(k)] = q;
-    z[static_cast<std::size_t>(k)] = s;
-    z[static_cast<std::size_t>(k) + 1] = kInfinity;
+    v[k] = q;
+    z[k] = s;
+    z[k + 1] = kInfinity;
   }
   if (k < 0) {
     d = f;
@@ -38,9 +37,9 @@ void lower_envelope(const std::vector<double>& f, std::vector<double>& d, std::v
   }
   int at = 0;
   for (int q = 0; q < n; ++q) {
-    while (z[static_cast<std::size_t>(at) + 1] < q) ++at;
-    const int p = v[static_cast<std::size_t>(at)];
-    d[static_cast<std::size_t>(q)] = (q - p) * (q - p) + f[static_cast<std::size_t>(p)];
+    while (z[at + 1] < q) ++at;
+    const int p = v[at];
+    d[q] = (q - p) * (q - p) + f[p];
   }
 }
 

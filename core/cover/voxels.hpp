@@ -20,9 +20,7 @@ struct Voxels {
   std::vector<float> distance;       ///< distance to the nearest voxel on the surface [m]
 
   /// Returns the index of a voxel.
-  std::size_t index(int x, int y, int z) const {
-    return static_cast<std::size_t>((z * count.y() + y) * count.x() + x);
-  }
+  std::size_t index(int x, int y, int z) const { return (z * count.y() + y) * count.x() + x; }
   /// Returns the centre of a voxel.
   Vec3 centre(int x, int y, int z) const {
     return origin + step_m * (Vec3(x, y, z) + Vec3::Constant(0.5));

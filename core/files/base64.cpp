@@ -15,7 +15,7 @@ std::string encode_base64(std::string_view bytes) {
     const int length = EVP_EncodeBlock(reinterpret_cast<unsigned char*>(coded.data()),
                                        reinterpret_cast<const unsigned char*>(part.data()),
                                        static_cast<int>(part.size()));
-    text.append(coded, 0, static_cast<std::size_t>(length));
+    text.append(coded, 0, length);
   }
   return text;
 }

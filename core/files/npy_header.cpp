@@ -50,7 +50,7 @@ struct HeaderParser {
     std::size_t value = 0;
     const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
     if (error != std::errc()) fail_malformed();
-    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+    rest.remove_prefix(end - rest.data());
     take("L");  // suffix of Python 2
     return value;
   }

@@ -60,7 +60,7 @@ std::string sha256_of_file(const std::filesystem::path& file) {
   std::vector<char> block(1 << 20);
   while (stream) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    hash.add(block.data(), static_cast<std::size_t>(stream.gcount()));
+    hash.add(block.data(), stream.gcount());
   }
   if (!stream.eof()) throw InputError(fmt::format("{}: cannot be read", file.string()));
   return hexadecimal(hash.finish());

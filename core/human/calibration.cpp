@@ -29,8 +29,7 @@ Vec3 digitised_point(const std::optional<MarkerStream>& markers, const std::stri
   if (!markers) return unknown_point();
   const auto found = std::find(markers->names.begin(), markers->names.end(), name);
   if (found == markers->names.end()) return unknown_point();
-  return mean_point(
-      column_of(markers->position, static_cast<std::size_t>(found - markers->names.begin())));
+  return mean_point(column_of(markers->position, found - markers->names.begin()));
 }
 
 /// Returns the hand's axes in the world, or NaN if a point is missing or the points are degenerate.

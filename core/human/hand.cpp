@@ -108,11 +108,10 @@ HandPoints hand_points(const RobotModel& hand, const HandAngles& angles,
   HandPoints points;
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const RobotModel::Tip& tip = hand.tips[finger];
-    const Pose& last = frames[static_cast<std::size_t>(tip.frame)];
+    const Pose& last = frames[tip.frame];
     points.tip[finger] = last * tip.transform.translation();
     points.tip_orientation[finger] = Quat(last.linear());
-    points.middle_joint[finger] =
-        frames[static_cast<std::size_t>(hand.joint_centres[finger].frame)].translation();
+    points.middle_joint[finger] = frames[hand.joint_centres[finger].frame].translation();
   }
   return points;
 }

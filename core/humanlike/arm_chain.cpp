@@ -5,8 +5,7 @@ namespace morphe::humanlike {
 ArmChain arm_chain(const robot::Robot& robot, const std::vector<Pose>& base_from_frame) {
   ArmChain arm;
   const auto add = [&](int frame, const Vec3& in_frame) {
-    arm.joints.push_back(
-        frame < 0 ? in_frame : Vec3(base_from_frame[static_cast<std::size_t>(frame)] * in_frame));
+    arm.joints.push_back(frame < 0 ? in_frame : Vec3(base_from_frame[frame] * in_frame));
     arm.frames.push_back(frame);
   };
   add(robot.shoulder_frame, Vec3::Zero());

@@ -13,7 +13,7 @@ void FingerJointDistance::add(const RobotState& state, const FrameGoal& goal, do
     const RobotModel::Tip& tip = robot.tips[i];
     Vec3 joint = unknown_point();
     if (!std::isfinite(tip.finger_curve_share))
-      joint = goal.finger_joint[static_cast<std::size_t>(tip.finger)];
+      joint = goal.finger_joint[tip.finger];
     else if (i < goal.interpolated_finger_joint.size())
       joint = goal.interpolated_finger_joint[i];
     if (!is_known(joint)) continue;

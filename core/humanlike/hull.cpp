@@ -24,8 +24,7 @@ std::vector<std::size_t> distinct(const std::vector<Vec3>& points) {
 
 std::vector<Facet> tetrahedron(const std::vector<Vec3>& points, const std::vector<std::size_t>& i) {
   Eigen::Matrix3d edges;
-  for (int k = 0; k < 3; ++k)
-    edges.col(k) = points[i[static_cast<std::size_t>(k) + 1]] - points[i[0]];
+  for (int k = 0; k < 3; ++k) edges.col(k) = points[i[k + 1]] - points[i[0]];
   const double determinant = edges.determinant();
   if (determinant == 0) return {};
   std::vector<Facet> facets{

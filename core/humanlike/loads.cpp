@@ -42,7 +42,7 @@ void Loads::add_point(int frame, const Vec3& x, const Vec3& goal, double weight,
 void Loads::add_force(int frame, const Vec3& x, const Vec3& force, const Vec3& promised,
                       double mass) {
   if (frame < 0) return;
-  Load& load = on_frame[static_cast<std::size_t>(frame)];
+  Load& load = on_frame[frame];
   load.force += force;
   load.moment += x.cross(force);
   if (curvature == Curvature::none) return;
@@ -59,7 +59,7 @@ void Loads::add_force(int frame, const Vec3& x, const Vec3& force, const Vec3& p
 
 void Loads::add_rotation(int frame, const Vec3& gradient, const Eigen::Matrix3d& hessian) {
   if (frame < 0) return;
-  Load& load = on_frame[static_cast<std::size_t>(frame)];
+  Load& load = on_frame[frame];
   load.moment += gradient;
   if (curvature == Curvature::none) return;
   load.inertia += hessian;
@@ -74,7 +74,7 @@ void predict_multiplier_forces(const RobotModel& robot, const JointVector& step,
   for (std::size_t i = 0; i < frames; ++i) {
     const int above = sweep.parent_moving_frame[i], joint = robot.frames[i].joint;
     if (above >= 0) {
-      sweep.displacement[i] = sweep.displacement[static_cast<std::size_t>(above)];
+      sweep.displacement[i] = sweep.displacement[above];
     } else {
       sweep.displacement[i].setZero();
     }
@@ -83,7 +83,7 @@ void predict_multiplier_forces(const RobotModel& robot, const JointVector& step,
   const bool offset = step.size() > static_cast<Eigen::Index>(robot.joints());
   for (PointMemory& point : points) {
     if (point.frame < 0) continue;
-    const auto& twist = sweep.displacement[static_cast<std::size_t>(point.frame)];
+    const auto& twist = sweep.displacement[point.frame];
     Vec3 away = twist.head<3>().cross(point.x) + twist.tail<3>();
     if (offset) away -= step.tail<3>();
     point.multiplier_force = point.force + point.mass * away;
@@ -139,10 +139,9 @@ void add_derivatives(const RobotModel& robot, const std::vector<Pose>& base_from
           model.hessian.block<3, 1>(joints, j) -= answer.tail<3>();
           model.hessian.block<1, 3>(j, joints) -= answer.tail<3>().transpose();
         }
-        for (int k = sweep.parent_moving_frame[i]; k >= 0;
-             k = sweep.parent_moving_frame[static_cast<std::size_t>(k)]) {
-          const auto& twist = sweep.twist[static_cast<std::size_t>(k)];
-          const int other = robot.frames[static_cast<std::size_t>(k)].joint;
+        for (int k = sweep.parent_moving_frame[i]; k >= 0; k = sweep.parent_moving_frame[k]) {
+          const auto& twist = sweep.twist[k];
+          const int other = robot.frames[k].joint;
           const double product = twist.dot(answer);
           hessian[j * n + other] += product;
           hessian[other * n + j] += product;
@@ -150,7 +149,7 @@ void add_derivatives(const RobotModel& robot, const std::vector<Pose>& base_from
       }
     }
     if (frame.parent >= 0) {
-      loads.on_frame[static_cast<std::size_t>(frame.parent)] += load;
+      loads.on_frame[frame.parent] += load;
     } else if (offset) {
       model.gradient.tail<3>() -= load.force;
       if (loads.curvature != Curvature::none) {

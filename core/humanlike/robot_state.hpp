@@ -13,7 +13,7 @@ struct RobotState {
   const std::vector<Pose>& base_from_frame;
 
   /// Returns the pose of a frame in the base frame.
-  const Pose& pose_of(int frame) const { return base_from_frame[static_cast<std::size_t>(frame)]; }
+  const Pose& pose_of(int frame) const { return base_from_frame[frame]; }
 };
 
 }  // namespace morphe::humanlike

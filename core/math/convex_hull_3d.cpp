@@ -25,7 +25,7 @@ std::vector<HullTriangle> convex_hull_3d(std::vector<Vec3> points) {
       vertexT *vertex, **vertexp;
       FOREACHvertex_(facet->vertices) {
         if (corner == triangle.corners.size()) break;
-        triangle.corners[corner++] = static_cast<std::size_t>(qh_pointid(qh, vertex->point));
+        triangle.corners[corner++] = qh_pointid(qh, vertex->point);
       }
       triangles.push_back(triangle);
     }

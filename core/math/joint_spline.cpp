@@ -15,7 +15,7 @@ void add_derivative_weights(Weights& weights, double z, double rate,
   const auto lower = bspline_weights<5 - static_cast<int>(Order)>(z);
   for (std::size_t k = 0; k < lower.size(); ++k) {
     for (std::size_t d = 0; d <= Order; ++d) {
-      weights(Order, static_cast<Eigen::Index>(k + d)) += lower[k] * difference[d] * rate;
+      weights(Order, k + d) += lower[k] * difference[d] * rate;
     }
   }
 }

@@ -55,8 +55,8 @@ std::vector<double> low_pass_filter(const std::vector<double>& values, double ra
   std::reverse(padded.begin(), padded.end());
   filter.run(padded);
   std::reverse(padded.begin(), padded.end());
-  const auto begin = padded.begin() + static_cast<std::ptrdiff_t>(pad);
-  return {begin, begin + static_cast<std::ptrdiff_t>(n)};
+  const auto begin = padded.begin() + pad;
+  return {begin, begin + n};
 }
 
 }  // namespace morphe::math

@@ -12,14 +12,14 @@ namespace {
 struct MonotoneSplits {
   std::array<double, 6> z{};
   int count = 0;
-  void add(double value) { z[static_cast<std::size_t>(count++)] = value; }
+  void add(double value) { z[count++] = value; }
 };
 
 using Polynomial = std::array<double, 6>;  ///< in z, lowest order first
 
 double evaluate(const Polynomial& p, int degree, double z) {
   double value = 0;
-  for (int k = degree; k >= 0; --k) value = value * z + p[static_cast<std::size_t>(k)];
+  for (int k = degree; k >= 0; --k) value = value * z + p[k];
   return value;
 }
 
@@ -52,7 +52,7 @@ MonotoneSplits roots_between(const Polynomial& p, int degree, const MonotoneSpli
   MonotoneSplits roots;
   double left = a, at_left = evaluate(p, degree, a);
   for (int i = 0; i <= turning.count; ++i) {
-    const double right = i < turning.count ? turning.z[static_cast<std::size_t>(i)] : b;
+    const double right = i < turning.count ? turning.z[i] : b;
     const double at_right = evaluate(p, degree, right);
     if (at_left * at_right < 0) roots.add(bracketed_root(p, degree, left, right, at_left));
     left = right;
@@ -66,7 +66,7 @@ Range range_over(const Polynomial& p, int degree, const MonotoneSplits& turning,
   const double at_a = evaluate(p, degree, a), at_b = evaluate(p, degree, b);
   Range range{std::min(at_a, at_b), std::max(at_a, at_b)};
   for (int i = 0; i < turning.count; ++i) {
-    const double value = evaluate(p, degree, turning.z[static_cast<std::size_t>(i)]);
+    const double value = evaluate(p, degree, turning.z[i]);
     range.least = std::min(range.least, value);
     range.greatest = std::max(range.greatest, value);
   }

@@ -9,7 +9,7 @@ namespace {
 
 /// Returns x[rank] of values in ascending order.
 double value_at_rank(std::vector<double>& values, std::size_t rank) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  const auto at = values.begin() + rank;
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }

@@ -54,7 +54,7 @@ StreamReport report_points(const std::string& name, const std::vector<double>& t
 StreamReport report_angles(const std::string& name, const std::vector<double>& time,
                            const std::vector<std::string>& columns, const JointRows& angles) {
   return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
-    return std::isfinite(angles(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)));
+    return std::isfinite(angles(row, column));
   });
 }
 

@@ -60,7 +60,7 @@ SceneObject read_mesh(const config::ConfigNode& node, const Pose& base_from_mesh
     if (corners.size() != 3) item.fail("must have 3 corners");
     Eigen::Vector3i triangle;
     for (int k = 0; k < 3; ++k) {
-      const std::int64_t corner = corners[static_cast<std::size_t>(k)].integer();
+      const std::int64_t corner = corners[k].integer();
       if (corner < 0 || corner >= count) {
         item.fail(fmt::format("there is no vertex {}", corner));
       }

@@ -38,7 +38,7 @@ State::State(const Model& model) : model_(&model), running_(std::make_unique<Run
     if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
       running_->compensated_dofs.push_back(m.jnt_dofadr[joint]);
   }
-  running_->acceleration.assign(static_cast<std::size_t>(m.nv), 0);
+  running_->acceleration.assign(m.nv, 0);
   running_->inertial_forces = running_->acceleration;
 }
 
@@ -79,7 +79,7 @@ Pose State::body(int body) const {
 void State::set_control(int actuator, double value) { running_->data->ctrl[actuator] = value; }
 
 void State::set_acceleration(int joint, double value) {
-  running_->acceleration[static_cast<std::size_t>(model_of(*model_).jnt_dofadr[joint])] = value;
+  running_->acceleration[model_of(*model_).jnt_dofadr[joint]] = value;
 }
 
 double State::commanded_force(int actuator) const {
@@ -113,15 +113,13 @@ std::optional<std::string> State::step() {
     mj_step1(&m, &d);
     mj_mulM(&m, &d, running_->inertial_forces.data(), running_->acceleration.data());
     for (const int dof : running_->compensated_dofs)
-      d.qfrc_applied[dof] =
-          d.qfrc_bias[dof] + running_->inertial_forces[static_cast<std::size_t>(dof)];
+      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial_forces[dof];
     mj_step2(&m, &d);
   });
   if (!warning.empty()) return warning;
   // A further warning of the same kind is only counted.
   for (int kind = 0; kind < mjNWARNING; ++kind) {
-    if (d.warning[kind].number > 0)
-      return mju_warningText(kind, static_cast<std::size_t>(d.warning[kind].lastinfo));
+    if (d.warning[kind].number > 0) return mju_warningText(kind, d.warning[kind].lastinfo);
   }
   if (!(d.time > before_s)) return "the simulation became unstable and was reset by the engine";
   return std::nullopt;

@@ -71,8 +71,7 @@ void forward_kinematics(const RobotModel& robot, const Eigen::Ref<const JointVec
       const RobotModel::Frame& frame = robot.frames[begin + i];
       assert(frame.parent < static_cast<int>(begin + i));
       const Eigen::Matrix4d& parent =
-          frame.parent < 0 ? base
-                           : base_from_frame[static_cast<std::size_t>(frame.parent)].matrix();
+          frame.parent < 0 ? base : base_from_frame[frame.parent].matrix();
       set_frame_pose(parent, frame, sine[i], cosine[i], angle[i],
                      base_from_frame[begin + i].matrix());
     }
@@ -82,7 +81,7 @@ void forward_kinematics(const RobotModel& robot, const Eigen::Ref<const JointVec
 Pose tip_pose(const RobotModel& robot, const std::vector<Pose>& base_from_frame, std::size_t tip) {
   const RobotModel::Tip& t = robot.tips[tip];
   if (t.frame < 0) return t.transform;
-  return base_from_frame[static_cast<std::size_t>(t.frame)] * t.transform;
+  return base_from_frame[t.frame] * t.transform;
 }
 
 void point_jacobian(const RobotModel& robot, const std::vector<Pose>& base_from_frame, int frame,
@@ -90,9 +89,9 @@ void point_jacobian(const RobotModel& robot, const std::vector<Pose>& base_from_
   assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));
   jacobian.setZero();
   for (const int above : ancestors(robot, frame)) {
-    const RobotModel::Frame& f = robot.frames[static_cast<std::size_t>(above)];
+    const RobotModel::Frame& f = robot.frames[above];
     if (f.joint < 0) continue;
-    const Pose& pose = base_from_frame[static_cast<std::size_t>(above)];
+    const Pose& pose = base_from_frame[above];
     const Vec3 arm = point_in_base - pose.translation();
     const Vec3 axis = scaled_axis(f, pose);
     jacobian.col(f.joint) += f.prismatic ? axis : axis.cross(arm);
@@ -104,9 +103,9 @@ void add_point_gradient(const RobotModel& robot, const std::vector<Pose>& base_f
                         Eigen::Ref<JointVector> slope) {
   assert(slope.size() >= static_cast<Eigen::Index>(robot.joints()));
   while (frame != ancestor) {
-    const RobotModel::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
+    const RobotModel::Frame& f = robot.frames[frame];
     if (f.joint >= 0) {
-      const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
+      const Pose& pose = base_from_frame[frame];
       const Vec3 arm = point_in_base - pose.translation();
       slope[f.joint] += scaled_axis(f, pose).dot(f.prismatic ? direction : arm.cross(direction));
     }
@@ -122,12 +121,11 @@ void tip_jacobians(const RobotModel& robot, const std::vector<Pose>& base_from_f
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
     const RobotModel::Tip& tip = robot.tips[i];
     if (tip.frame < 0) continue;
-    const Vec3 point =
-        base_from_frame[static_cast<std::size_t>(tip.frame)] * tip.transform.translation();
+    const Vec3 point = base_from_frame[tip.frame] * tip.transform.translation();
     for (int frame = tip.frame; frame >= 0;) {
-      const RobotModel::Frame& f = robot.frames[static_cast<std::size_t>(frame)];
+      const RobotModel::Frame& f = robot.frames[frame];
       if (f.joint >= 0) {
-        const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
+        const Pose& pose = base_from_frame[frame];
         const Vec3 axis = scaled_axis(f, pose);
         auto column = jacobian.block<6, 1>(6 * static_cast<Eigen::Index>(i), f.joint);
         if (f.prismatic) {

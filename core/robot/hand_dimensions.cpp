@@ -23,10 +23,9 @@ std::vector<Axis> bending_axes(const RobotModel& robot, const RobotModel::Tip& t
   for (const int f : ancestors(robot, tip.frame)) {
     if (is_in_subtree(robot, robot.palm_frame, f))
       break;  // the frame carries the palm, so it is part of the wrist
-    if (joint_of(robot, f) < 0 || robot.frames[static_cast<std::size_t>(f)].prismatic) continue;
-    const Pose& pose = base_from_frame[static_cast<std::size_t>(f)];
-    const Axis axis{pose.translation(),
-                    pose.linear() * robot.frames[static_cast<std::size_t>(f)].axis};
+    if (joint_of(robot, f) < 0 || robot.frames[f].prismatic) continue;
+    const Pose& pose = base_from_frame[f];
+    const Axis axis{pose.translation(), pose.linear() * robot.frames[f].axis};
     const bool parallel =
         axes.empty() || std::abs(axis.direction.dot(axes.front().direction)) > kParallelCosine;
     if (parallel) axes.push_back(axis);
@@ -39,9 +38,9 @@ std::vector<Axis> bending_axes(const RobotModel& robot, const RobotModel::Tip& t
 HandBones hand_dimensions(const RobotModel& robot) {
   HandBones bones;
   std::vector<Pose> base_from_frame;
-  const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  const JointVector zero = JointVector::Zero(robot.joints());
   forward_kinematics(robot, zero.cwiseMax(robot.lower).cwiseMin(robot.upper), base_from_frame);
-  const Pose palm_from_base = base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
+  const Pose palm_from_base = base_from_frame[robot.palm_frame].inverse();
   for (std::size_t i = 0; i < robot.tips.size(); ++i) {
     const RobotModel::Tip& tip = robot.tips[i];
     if (tip.finger < 0) continue;

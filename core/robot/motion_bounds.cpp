@@ -25,7 +25,7 @@ void add_motion_bounds(const RobotModel& robot, int frame_index, const Vec3& fro
   double beyond_m = radius;
   const RobotModel::Frame* outward = nullptr;
   for (int f = frame_index; f >= 0;) {
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
+    const RobotModel::Frame& frame = robot.frames[f];
     const Vec3 axis = frame.axis.normalized();
     if (outward) beyond_m += max_prismatic_extension(robot, *outward);
     const double link_m = outward
@@ -44,19 +44,18 @@ void add_motion_bounds(const RobotModel& robot, int frame_index, const Vec3& fro
 }  // namespace
 
 JointRows capsule_motion_bounds(const RobotModel& robot) {
-  JointRows levers = JointRows::Zero(static_cast<Eigen::Index>(robot.capsules.size()),
-                                     static_cast<Eigen::Index>(robot.joints()));
+  JointRows levers = JointRows::Zero(robot.capsules.size(), robot.joints());
   for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
     const RobotModel::Capsule& capsule = robot.capsules[c];
     add_motion_bounds(robot, capsule.frame, capsule.from, capsule.to, capsule.radius,
-                      levers.row(static_cast<Eigen::Index>(c)));
+                      levers.row(c));
   }
   return levers;
 }
 
 JointVector sphere_motion_bounds(const RobotModel& robot, int frame, const Vec3& centre,
                                  double radius) {
-  JointVector levers = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  JointVector levers = JointVector::Zero(robot.joints());
   add_motion_bounds(robot, frame, centre, centre, radius, Eigen::Ref<JointVector>(levers));
   return levers;
 }

@@ -10,10 +10,9 @@ namespace morphe::robot {
 
 std::vector<Pad> find_pads(const RobotModel& robot) {
   std::vector<Pose> base_from_frame;
-  forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                     base_from_frame);
+  forward_kinematics(robot, JointVector::Zero(robot.joints()), base_from_frame);
   const auto pose_of = [&](int frame) {
-    return frame < 0 ? Pose::Identity() : base_from_frame[static_cast<std::size_t>(frame)];
+    return frame < 0 ? Pose::Identity() : base_from_frame[frame];
   };
   std::vector<Pad> pads(robot.tips.size());
   for (std::size_t i = 0; i < pads.size(); ++i) {
@@ -47,7 +46,7 @@ Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame,
   const RobotModel::Tip& of = robot.tips[tip];
   Vec3 point = of.transform.translation();
   if (tip_to_pad_share > 0) point += tip_to_pad_share * (robot.pads[tip].centre - point);
-  return of.frame < 0 ? point : base_from_frame[static_cast<std::size_t>(of.frame)] * point;
+  return of.frame < 0 ? point : base_from_frame[of.frame] * point;
 }
 
 }  // namespace morphe::robot

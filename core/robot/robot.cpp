@@ -26,9 +26,7 @@ Robot::Robot(RobotModel table) : RobotModel(std::move(table)) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     const bool turns = frames[f].joint >= 0;
     const int parent = frames[f].parent;
-    moving_frame.push_back(turns        ? static_cast<int>(f)
-                           : parent < 0 ? -1
-                                        : moving_frame[static_cast<std::size_t>(parent)]);
+    moving_frame.push_back(turns ? static_cast<int>(f) : parent < 0 ? -1 : moving_frame[parent]);
   }
   const int palm = frames.empty() ? -1 : palm_frame;
   for (const int frame : ancestors(*this, palm)) {
@@ -50,7 +48,7 @@ std::vector<Vec3> arm_centre_positions(const Robot& robot,
                                        const std::vector<Pose>& base_from_frame) {
   std::vector<Vec3> positions;
   for (const int frame : robot.arm_centres) {
-    positions.push_back(base_from_frame[static_cast<std::size_t>(frame)].translation());
+    positions.push_back(base_from_frame[frame].translation());
   }
   return positions;
 }

@@ -16,7 +16,7 @@ class AncestorRange {
     int frame;
     int operator*() const { return frame; }
     Iterator& operator++() {
-      frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+      frame = robot.frames[frame].parent;
       return *this;
     }
     bool operator!=(const Iterator& other) const { return frame != other.frame; }
@@ -34,14 +34,12 @@ class AncestorRange {
 inline AncestorRange ancestors(const RobotModel& robot, int frame) { return {robot, frame}; }
 
 /// Returns the joint that moves a frame directly, or -1 if there is no such joint.
-inline int joint_of(const RobotModel& robot, int frame) {
-  return robot.frames[static_cast<std::size_t>(frame)].joint;
-}
+inline int joint_of(const RobotModel& robot, int frame) { return robot.frames[frame].joint; }
 
 /// Returns true if a frame equals `ancestor` or is a descendant of it. All frames are descendants
 /// of the base (-1).
 inline bool is_in_subtree(const RobotModel& robot, int frame, int ancestor) {
-  while (frame > ancestor) frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  while (frame > ancestor) frame = robot.frames[frame].parent;
   return frame == ancestor;  // parents precede their children
 }
 
@@ -49,7 +47,7 @@ inline bool is_in_subtree(const RobotModel& robot, int frame, int ancestor) {
 /// connected; -1 = the base.
 inline int moving_frame_of(const RobotModel& robot, int frame) {
   while (frame >= 0 && joint_of(robot, frame) < 0) {
-    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+    frame = robot.frames[frame].parent;
   }
   return frame;
 }
@@ -74,7 +72,7 @@ inline bool joint_moves_frame(const RobotModel& robot, int joint, int frame) {
 inline int common_ancestor(const RobotModel& robot, int frame, int other) {
   while (frame != other) {
     int& lower = frame > other ? frame : other;
-    lower = robot.frames[static_cast<std::size_t>(lower)].parent;
+    lower = robot.frames[lower].parent;
   }
   return frame;
 }

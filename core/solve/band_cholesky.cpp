@@ -127,7 +127,7 @@ bool BandCholesky::factorise(std::size_t first) {
 /// times a transposed factor, is zero below its diagonal; rows and columns of zeros are skipped
 /// there. Returns false if a pivot is not positive.
 bool BandCholesky::factorise_block(std::size_t frame, Index before, Index reach) {
-  const std::size_t other = frame - static_cast<std::size_t>(before);
+  const std::size_t other = frame - before;
   const Index blocks = reach - before;  // common to both rows and before this one
   double* target = columns(frame, before);
   double* inverse = inverse_.data() + static_cast<Index>(other) * padded_;
@@ -159,13 +159,13 @@ void BandCholesky::solve(Eigen::VectorXd& b) {
   }
   for (Index f = 0; f < frames; ++f) {
     const Index reach = std::min(f, kBandBlocks) * padded_;
-    const double* column = columns(static_cast<std::size_t>(f), 0) - reach * padded_;
+    const double* column = columns(f, 0) - reach * padded_;
     double* own = x_.data() + f * padded_;
     for (Index k = -reach; k < 0; ++k, column += padded_) {
       for (Index i = 0; i < padded_; ++i) own[i] -= own[k] * column[i];
     }
     for (Index j = 0; j < n_; ++j, column += padded_) {
-      own[j] *= inverse_[static_cast<std::size_t>(f * padded_ + j)];
+      own[j] *= inverse_[f * padded_ + j];
       for (Index i = j + 1; i < padded_; ++i) own[i] -= own[j] * column[i];
     }
   }
@@ -173,12 +173,11 @@ void BandCholesky::solve(Eigen::VectorXd& b) {
     const Index reach = std::min(f, kBandBlocks) * padded_;
     double* own = x_.data() + f * padded_;
     const Eigen::Map<const Eigen::VectorXd> mine(own, n_);
-    const double* column = columns(static_cast<std::size_t>(f), 0) + (n_ - 1) * padded_;
+    const double* column = columns(f, 0) + (n_ - 1) * padded_;
     for (Index j = n_ - 1; j >= 0; --j, column -= padded_) {
       const Index below = n_ - 1 - j;
       const Eigen::Map<const Eigen::VectorXd> under(column + j + 1, below);
-      own[j] = (own[j] - under.dot(mine.tail(below))) *
-               inverse_[static_cast<std::size_t>(f * padded_ + j)];
+      own[j] = (own[j] - under.dot(mine.tail(below))) * inverse_[f * padded_ + j];
     }
     for (Index k = -1; k >= -reach; --k, column -= padded_) {
       own[k] -= Eigen::Map<const Eigen::VectorXd>(column, n_).dot(mine);

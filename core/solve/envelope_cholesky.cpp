@@ -36,7 +36,7 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
   for (Index p = 0; p < n; ++p) {
     double* row = rows.data() + p * rows.cols();
     std::fill(row + p + 1, row + padded(p + 1), 0);
-    if (held[static_cast<std::size_t>(p)]) {
+    if (held[p]) {
       std::fill_n(row, p + 1, 0);
     } else {
       std::copy_n(hessian.data() + p * n, p + 1, row);
@@ -44,11 +44,11 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
     }
   }
   for (Index j = 0; j < n; ++j) {
-    if (held[static_cast<std::size_t>(j)]) rows.col(j).tail(n - j).setZero();
+    if (held[j]) rows.col(j).tail(n - j).setZero();
   }
   for (Index p = n; p-- > 0;) {
     double* row = rows.data() + p * rows.cols();
-    if (held[static_cast<std::size_t>(p)]) {
+    if (held[p]) {
       inverse_pivot[p] = 1;
       continue;
     }

@@ -16,7 +16,7 @@ const std::array<std::vector<double>, 3> kDifferences{{{-1, 1}, {1, -2, 1}, {-1,
 JointVector difference(const JointRows& q, Index f, const std::vector<double>& coefficients) {
   JointVector sum = JointVector::Zero(q.cols());
   for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    sum += coefficients[k] * q.row(f + static_cast<Index>(k)).transpose();
+    sum += coefficients[k] * q.row(f + k).transpose();
   }
   return sum;
 }
@@ -41,7 +41,7 @@ void evaluate(const MovementProblem& problem, MovementPoint& point) {
   JointVector q(n);
   for (std::size_t f = 0; f < problem.frames; ++f) {
     point.models[f].reset(n);
-    q = point.q.row(static_cast<Index>(f));
+    q = point.q.row(f);
     problem.frame_model(f, q, point.models[f]);
     point.frame_value += point.models[f].value;
   }
@@ -54,12 +54,12 @@ void evaluate(const MovementProblem& problem, MovementPoint& point) {
 JointRows gradient(const MovementProblem& problem, const MovementPoint& point) {
   JointRows g(point.q.rows(), point.q.cols());
   for (Index f = 0; f < g.rows(); ++f) {
-    g.row(f) = point.models[static_cast<std::size_t>(f)].gradient.transpose();
+    g.row(f) = point.models[f].gradient.transpose();
   }
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     const JointVector weighted = 2 * difference(point.q, f, coefficients).cwiseProduct(weight);
     for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      g.row(f + static_cast<Index>(k)) += coefficients[k] * weighted.transpose();
+      g.row(f + k) += coefficients[k] * weighted.transpose();
     }
   });
   return g;
@@ -71,8 +71,7 @@ DifferenceCurvature difference_curvature(const MovementProblem& problem) {
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     for (std::size_t a = 0; a < coefficients.size(); ++a) {
       for (std::size_t b = 0; b <= a; ++b) {
-        curvature[static_cast<std::size_t>(f) + a].col(static_cast<Index>(a - b)) +=
-            2 * coefficients[a] * coefficients[b] * weight;
+        curvature[f + a].col(a - b) += 2 * coefficients[a] * coefficients[b] * weight;
       }
     }
   });

@@ -70,11 +70,11 @@ double update_active_set(const MovementProblem& problem, const JointRows& q, con
 void make_convex(MovementPoint& point, const ActiveSet& held, const JointVector& damping) {
   constexpr double kMinCurvatureRatio = 1e-9;  // relative to the largest curvature
   EnvelopeCholesky factor;
-  std::vector<char> own_held(static_cast<std::size_t>(held.cols()));
+  std::vector<char> own_held(held.cols());
   JointVector down;
   for (Index f = 0; f < point.q.rows(); ++f) {
-    Eigen::MatrixXd& hessian = point.models[static_cast<std::size_t>(f)].hessian;
-    for (Index j = 0; j < held.cols(); ++j) own_held[static_cast<std::size_t>(j)] = held(f, j);
+    Eigen::MatrixXd& hessian = point.models[f].hessian;
+    for (Index j = 0; j < held.cols(); ++j) own_held[j] = held(f, j);
     const double least = kMinCurvatureRatio * hessian.diagonal().cwiseAbs().maxCoeff();
     for (Index k = 0; k < 2 * held.cols(); ++k) {
       if (factor.factorise(hessian, damping[f], own_held)) break;
@@ -102,7 +102,7 @@ bool active_set_step(const MovementProblem& problem, const DifferenceCurvature& 
   Index first = 0;  // first frame whose active set has changed
   for (int change = 0; change < kMaxActiveSetChanges; ++change) {
     damped_hessian(between, now, held, damping, first, hessian);
-    if (!hessian.factorise(static_cast<std::size_t>(first))) {
+    if (!hessian.factorise(first)) {
       make_convex(now, held, damping);
       damped_hessian(between, now, held, damping, 0, hessian);
       if (!hessian.factorise()) return false;

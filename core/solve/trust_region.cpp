@@ -27,7 +27,7 @@ bool newton_step(double damping, TrustRegionScratch& scratch) {
   if (!scratch.factor.factorise(scratch.now.hessian, damping, scratch.held)) return false;
   scratch.move = -scratch.model_gradient;
   for (Index j = 0; j < scratch.move.size(); ++j) {
-    if (scratch.held[static_cast<std::size_t>(j)]) scratch.move[j] = 0;
+    if (scratch.held[j]) scratch.move[j] = 0;
   }
   scratch.factor.solve(scratch.move);
   return true;
@@ -39,7 +39,7 @@ Index variable_to_release(const BoundedProblem& problem, const TrustRegionScratc
   Index worst = -1;
   double most = 0;
   for (Index j = 0; j < scratch.x.size(); ++j) {
-    if (!scratch.held[static_cast<std::size_t>(j)]) continue;
+    if (!scratch.held[j]) continue;
     const bool upper = scratch.x[j] + scratch.step[j] >= problem.upper[j];
     const double inwards = upper ? scratch.model_gradient[j] : -scratch.model_gradient[j];
     if (inwards > most) {
@@ -58,7 +58,7 @@ bool step_to_bound(const BoundedProblem& problem, double damping, TrustRegionScr
   for (Index j = 0; j < scratch.x.size(); ++j) {
     const double from = scratch.x[j] + scratch.step[j], to = from + scratch.move[j];
     const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
-    if (bound == to || scratch.held[static_cast<std::size_t>(j)]) continue;
+    if (bound == to || scratch.held[j]) continue;
     const double possible = std::max(0.0, (bound - from) / scratch.move[j]);
     if (possible < share) {
       share = possible;
@@ -71,7 +71,7 @@ bool step_to_bound(const BoundedProblem& problem, double damping, TrustRegionScr
   if (stopped < 0) return false;
   const bool upper = scratch.move[stopped] > 0;
   scratch.step[stopped] = (upper ? problem.upper : problem.lower)[stopped] - scratch.x[stopped];
-  scratch.held[static_cast<std::size_t>(stopped)] = 1;
+  scratch.held[stopped] = 1;
   return true;
 }
 
@@ -86,7 +86,7 @@ bool minimise_model(const BoundedProblem& problem, double damping, double longes
   for (Index j = 0; j < n; ++j) {
     const bool outwards = (scratch.x[j] <= problem.lower[j] && scratch.model_gradient[j] > 0) ||
                           (scratch.x[j] >= problem.upper[j] && scratch.model_gradient[j] < 0);
-    scratch.held[static_cast<std::size_t>(j)] = outwards ? 1 : 0;
+    scratch.held[j] = outwards ? 1 : 0;
   }
   for (Index change = 0; change < 3 * n; ++change) {
     if (!newton_step(damping, scratch)) return false;
@@ -97,7 +97,7 @@ bool minimise_model(const BoundedProblem& problem, double damping, double longes
     if (step_to_bound(problem, damping, scratch)) continue;
     const Index freed = variable_to_release(problem, scratch);
     if (freed < 0) break;
-    scratch.held[static_cast<std::size_t>(freed)] = 0;
+    scratch.held[freed] = 0;
   }
   return true;
 }
@@ -140,7 +140,7 @@ Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& 
   assert(problem.model);
   const Index n = start.size();
   scratch.damping = 0;
-  scratch.held.resize(static_cast<std::size_t>(n));
+  scratch.held.resize(n);
   scratch.x = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   Minimum result;
   const auto evaluate = [&](const JointVector& x, Quadratic& model) {
@@ -177,7 +177,7 @@ Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& 
     }
     scratch.trial = (scratch.x + scratch.step).cwiseMax(problem.lower).cwiseMin(problem.upper);
     for (Index j = 0; j < n; ++j) {  // held variables are exactly on their bound
-      if (!scratch.held[static_cast<std::size_t>(j)]) continue;
+      if (!scratch.held[j]) continue;
       const double middle = 0.5 * (problem.lower[j] + problem.upper[j]);
       scratch.trial[j] = (scratch.trial[j] > middle ? problem.upper : problem.lower)[j];
     }

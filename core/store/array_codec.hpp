@@ -168,8 +168,7 @@ struct ArrayCodec<JointVector> {
     return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
   }
   static void decode(const Hdf5Array<double>& array, JointVector& vector) {
-    vector = Eigen::Map<const JointVector>(array.values.data(),
-                                           static_cast<Eigen::Index>(array.values.size()));
+    vector = Eigen::Map<const JointVector>(array.values.data(), array.values.size());
   }
 };
 
@@ -183,9 +182,7 @@ struct ArrayCodec<JointRows> {
             {rows.data(), rows.data() + rows.size()}};
   }
   static void decode(const Hdf5Array<double>& array, JointRows& rows) {
-    rows =
-        Eigen::Map<const JointRows>(array.values.data(), static_cast<Eigen::Index>(array.dims[0]),
-                                    static_cast<Eigen::Index>(array.dims[1]));
+    rows = Eigen::Map<const JointRows>(array.values.data(), array.dims[0], array.dims[1]);
   }
 };
 

@@ -31,8 +31,8 @@ class ConsistencyChecker {
     require(table.values.size() == table.rows * table.cols, name, "has not rows x columns values");
   }
   void table(const char* name, const JointRows& table, std::size_t rows, std::size_t cols) {
-    length(name, static_cast<std::size_t>(table.rows()), rows);
-    columns(name, rows, static_cast<std::size_t>(table.cols()), cols);
+    length(name, table.rows(), rows);
+    columns(name, rows, table.cols(), cols);
   }
   void index(const char* name, int is, int least, std::size_t count) {
     require(is >= least && (is < 0 || static_cast<std::size_t>(is) < count), name,
@@ -208,16 +208,12 @@ ConsistencyChecker check_arrays(const Grasp& grasp, std::size_t samples, const R
   ConsistencyChecker faults("grasp/");
   faults.index("@sample", grasp.sample, 0, samples);
   faults.length("tips_in_object", grasp.tips_in_object.size(), robot.tips.size());
-  faults.length("grasp_posture", static_cast<std::size_t>(grasp.grasp_posture.size()),
-                robot.joints());
+  faults.length("grasp_posture", grasp.grasp_posture.size(), robot.joints());
   if (grasp.grasp_torque.size() > 0) {
-    faults.length("grasp_force/torque", static_cast<std::size_t>(grasp.grasp_torque.size()),
-                  robot.joints());
-    faults.length("grasp_force/servo_target", static_cast<std::size_t>(grasp.servo_target.size()),
-                  robot.joints());
+    faults.length("grasp_force/torque", grasp.grasp_torque.size(), robot.joints());
+    faults.length("grasp_force/servo_target", grasp.servo_target.size(), robot.joints());
   }
-  faults.length("pregrasp_posture", static_cast<std::size_t>(grasp.pregrasp_posture.size()),
-                robot.joints());
+  faults.length("pregrasp_posture", grasp.pregrasp_posture.size(), robot.joints());
   return faults;
 }
 
@@ -244,7 +240,7 @@ std::string inconsistency(const RobotModel& robot) {
   ConsistencyChecker faults;
   const std::size_t frames = robot.frames.size();
   const auto vector = [&](const char* name, const JointVector& values) {
-    faults.length(name, static_cast<std::size_t>(values.size()), robot.joints());
+    faults.length(name, values.size(), robot.joints());
   };
   faults.text("@name", robot.name);
   faults.texts("@joints", robot.joint_names);
@@ -265,8 +261,7 @@ std::string inconsistency(const RobotModel& robot) {
   for (const RobotModel::CoupledLimit& limit : robot.coupled_limits) {
     faults.index("coupled_limits/frame", limit.frame, 0, frames);
     if (!faults.first_error.empty()) break;
-    faults.require(robot.frames[static_cast<std::size_t>(limit.frame)].joint >= 0,
-                   "coupled_limits/frame", "is fixed");
+    faults.require(robot.frames[limit.frame].joint >= 0, "coupled_limits/frame", "is fixed");
   }
   for (const RobotModel::BrakingCurve& curve : robot.braking_curves)
     faults.index("braking_curves/joint", curve.joint, 0, robot.joints());

@@ -250,7 +250,7 @@ std::size_t Hdf5Group::file_bytes() const {
   const Hdf5Id file(H5Iget_file_id(id_.get()), H5Fclose);
   hsize_t bytes = 0;
   if (!file.valid() || H5Fget_filesize(file.get(), &bytes) < 0) return 0;
-  return static_cast<std::size_t>(bytes);
+  return bytes;
 }
 
 void write_format(const Hdf5Group& root, const std::string& format, int version) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,7 @@ struct Hdf5Value {
 };
 
 /// A dimension of any length, in a shape that a reader requires.
-inline constexpr std::size_t kAnyLength = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
 /// The dimensions of a dataset.
 using Hdf5Shape = std::vector<std::size_t>;
 

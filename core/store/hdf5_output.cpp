@@ -92,7 +92,7 @@ herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t 
     if (got <= 0) break;
     to += got;
     address += static_cast<haddr_t>(got);
-    count -= static_cast<std::size_t>(got);
+    count -= got;
   }
   std::memset(to, 0, count);
   return 0;
@@ -113,7 +113,7 @@ herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t
     }
     from += put;
     address += static_cast<haddr_t>(put);
-    count -= static_cast<std::size_t>(put);
+    count -= put;
   }
   return 0;
 }

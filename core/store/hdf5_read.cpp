@@ -31,7 +31,7 @@ Extent extent_of(hid_t space) {
   Extent extent;
   if (H5Sget_simple_extent_type(space) == H5S_NULL) return {{0}, 0};
   const int rank = std::max(0, H5Sget_simple_extent_ndims(space));
-  std::vector<hsize_t> sizes(static_cast<std::size_t>(rank));
+  std::vector<hsize_t> sizes(rank);
   if (rank > 0) H5Sget_simple_extent_dims(space, sizes.data(), nullptr);
   extent.dims.assign(sizes.begin(), sizes.end());
   for (const std::size_t size : extent.dims) extent.count *= static_cast<double>(size);

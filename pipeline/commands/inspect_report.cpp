@@ -69,8 +69,8 @@ std::string find_unusable_reason(const HumanMotion& motion, const Movement& move
 }  // namespace
 
 std::size_t Inspection::count_usable() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      movements, [](const MovementReport& m) { return m.unusable_reason.empty(); }));
+  return std::ranges::count_if(movements,
+                               [](const MovementReport& m) { return m.unusable_reason.empty(); });
 }
 
 Inspection inspect(const Demonstration& demonstration, const InspectOptions& options) {

@@ -20,8 +20,7 @@ double mapped_tip_error_max(const RobotModel&, const Plan& plan) {
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
-      if (plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip)))
-        worst_m = std::fmax(worst_m, errors(f, tip));
+      if (plan.goals.reachable(f, tip)) worst_m = std::fmax(worst_m, errors(f, tip));
     }
   }
   return worst_m;
@@ -34,8 +33,7 @@ double share_out_of_reach(const RobotModel&, const Plan& plan) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
       goals += 1;
-      out +=
-          plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip)) ? 0 : 1;
+      out += plan.goals.reachable(f, tip) ? 0 : 1;
     }
   }
   return goals > 0 ? out / goals : kUnknown;

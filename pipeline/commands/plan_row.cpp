@@ -93,15 +93,13 @@ double number_of(const json& value) { return value.is_null() ? kUnknown : value.
 Pose pose_of(const json& value) {
   Pose pose = Pose::Identity();
   for (int row = 0; row < 3; ++row)
-    for (int col = 0; col < 4; ++col)
-      pose.matrix()(row, col) = number_of(value.at(static_cast<std::size_t>(4 * row + col)));
+    for (int col = 0; col < 4; ++col) pose.matrix()(row, col) = number_of(value.at(4 * row + col));
   return pose;
 }
 
 std::size_t figure_index(const std::string& key) {
   const auto& figures = plan_figures();
-  return static_cast<std::size_t>(std::ranges::find(figures, key, &PlanFigure::key) -
-                                  figures.begin());
+  return std::ranges::find(figures, key, &PlanFigure::key) - figures.begin();
 }
 
 /// A column of the table for a figure, with its head and its priority of being dropped on a narrow
@@ -166,8 +164,7 @@ PlanRow row_from_json(const std::string& text) {
     row.world.base_from_world = pose_of(row_json.at("recording"));
     row.world.base_from_table = pose_of(row_json.at("table"));
     row.world.base_from_target = pose_of(row_json.at("target"));
-    for (int k = 0; k < 3; ++k)
-      row.world.shoulder[k] = number_of(row_json.at("shoulder").at(static_cast<std::size_t>(k)));
+    for (int k = 0; k < 3; ++k) row.world.shoulder[k] = number_of(row_json.at("shoulder").at(k));
     row_json.at("remarks").get_to(row.remarks);
   } catch (const nlohmann::json::exception&) {
     throw InputError("a row of the journal's table is damaged; plan again with --fresh");

@@ -30,7 +30,7 @@ void write_all(GuardedStream& stream, std::string_view bytes) {
   while (!bytes.empty() && stream.error == 0) {
     const ssize_t put = ::write(stream.descriptor, bytes.data(), bytes.size());
     if (put >= 0) {
-      bytes.remove_prefix(static_cast<std::size_t>(put));
+      bytes.remove_prefix(put);
     } else if (errno != EINTR) {
       stream.error = errno;
     }

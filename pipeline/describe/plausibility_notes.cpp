@@ -10,7 +10,7 @@ namespace morphe::describe {
 namespace {
 
 const RobotModel::Frame& frame_at(const RobotModel& robot, int frame) {
-  return robot.frames[static_cast<std::size_t>(frame)];
+  return robot.frames[frame];
 }
 
 /// Returns true if a frame moves with all joints that move another one; frames fixed to the same

@@ -22,7 +22,7 @@ struct DrawnPosture {
   std::vector<Pose> base_from_frame;
 
   Vec3 at(int frame, const Vec3& point = Vec3::Zero()) const {
-    return frame < 0 ? point : base_from_frame[static_cast<std::size_t>(frame)] * point;
+    return frame < 0 ? point : base_from_frame[frame] * point;
   }
 };
 

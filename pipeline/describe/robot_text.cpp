@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 std::string frame_name(const RobotModel& robot, int frame) {
-  return frame < 0 ? "base" : robot.frames[static_cast<std::size_t>(frame)].name;
+  return frame < 0 ? "base" : robot.frames[frame].name;
 }
 
 std::string finger_of(const RobotModel::Tip& tip) {
@@ -75,8 +75,7 @@ std::string joint_lines(const RobotModel& robot, int width) {
         "coupled", width);
   for (const RobotModel::Frame* frame : coupled) {
     text += fmt::format("{:{}}  {:.4g} x {} + {:.4g} deg\n", frame->name, width, frame->ratio,
-                        robot.joint_names[static_cast<std::size_t>(frame->joint)],
-                        degrees(frame->offset));
+                        robot.joint_names[frame->joint], degrees(frame->offset));
   }
   return text;
 }
@@ -144,7 +143,7 @@ std::string robot_json(const robot::RobotDescription& description) {
   }
   for (const RobotModel::Frame* frame : coupled_frames(robot)) {
     coupled.push_back({{"frame", frame->name},
-                       {"joint", robot.joint_names[static_cast<std::size_t>(frame->joint)]},
+                       {"joint", robot.joint_names[frame->joint]},
                        {"ratio", frame->ratio},
                        {"offset", frame->offset}});
   }

@@ -18,9 +18,7 @@ using Json = nlohmann::ordered_json;
 double uniform_01(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 
 std::array<std::string, 2> names(const RobotModel& robot, const SelfCollisionPair& pair) {
-  const auto name = [&](std::size_t side) {
-    return robot.capsules[static_cast<std::size_t>(pair.capsules[side])].name;
-  };
+  const auto name = [&](std::size_t side) { return robot.capsules[pair.capsules[side]].name; };
   return {name(0), name(1)};
 }
 
@@ -49,9 +47,7 @@ SelfCollision sample_self_collision(const RobotModel& table, int samples) {
     for (SelfCollisionPair& pair : pairs) {
       const auto [i, k] = pair.capsules;
       const double distance =
-          collision::capsule_capsule(scratch.bodies[static_cast<std::size_t>(i)],
-                                     scratch.bodies[static_cast<std::size_t>(k)])
-              .distance;
+          collision::capsule_capsule(scratch.bodies[i], scratch.bodies[k]).distance;
       pair.least_m = std::min(pair.least_m, distance);
       pair.colliding_samples += distance < 0;
     }

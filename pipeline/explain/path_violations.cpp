@@ -21,8 +21,7 @@ void find_tip_errors(const robot::Robot& robot, const Plan& plan, PathViolations
   std::vector<Pose> base_from_frame;
   const std::vector<double>& time = plan.path.demonstration_time;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    robot::forward_kinematics(
-        robot, plan.path.position.row(static_cast<Eigen::Index>(k)).transpose(), base_from_frame);
+    robot::forward_kinematics(robot, plan.path.position.row(k).transpose(), base_from_frame);
     TipError miss;
     miss.time_s = time[k];
     miss.grasping = check::counts_as_grasp(plan.movement, time, k);

@@ -49,7 +49,7 @@ std::string tip_error_text(const RobotModel& robot, const MappingResult& mapped)
   std::string text;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     double sum = 0, largest = 0, count = 0;
-    for (const double error : mapped.tip_error.col(static_cast<Eigen::Index>(tip))) {
+    for (const double error : mapped.tip_error.col(tip)) {
       if (std::isnan(error)) continue;
       sum += error;
       largest = std::max(largest, error);
@@ -128,10 +128,8 @@ std::string repairs(const Plan& plan) {
     if (!std::isnan(step.begin_s)) {
       what += step.finding_count == 0
                   ? ", no problems left"
-                  : fmt::format(
-                        ", {} left, worst: {}",
-                        count_with_noun(static_cast<std::size_t>(step.finding_count), "problem"),
-                        step.worst_finding);
+                  : fmt::format(", {} left, worst: {}",
+                                count_with_noun(step.finding_count, "problem"), step.worst_finding);
       what += step.accepted ? "; accepted" : "; rejected";
     }
     if (!std::isnan(step.begin_s) && !step.stop_reason.empty()) what += "; " + step.stop_reason;

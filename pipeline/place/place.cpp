@@ -54,8 +54,7 @@ std::vector<Candidate> evaluate_all(std::size_t count, const PlaceOptions& optio
                                     const std::function<Candidate(std::size_t)>& work) {
   std::vector<Candidate> out;
   parallel::ordered_for_each<Candidate>(
-      static_cast<int>(count), options.jobs,
-      [&](std::uint64_t k) { return work(static_cast<std::size_t>(k)); },
+      static_cast<int>(count), options.jobs, [&](std::uint64_t k) { return work(k); },
       [&](const Candidate& candidate) {
         out.push_back(candidate);
         report(what, static_cast<int>(out.size()), static_cast<int>(count));

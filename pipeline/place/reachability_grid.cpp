@@ -46,8 +46,7 @@ ReachabilityGrid::ReachabilityGrid(const robot::Robot& robot, std::uint64_t seed
 }
 
 std::size_t ReachabilityGrid::cell(std::size_t tip, int distance, int angle) const {
-  return (tip * kDistanceCells + static_cast<std::size_t>(distance)) * kAngleCells +
-         static_cast<std::size_t>(angle);
+  return (tip * kDistanceCells + distance) * kAngleCells + angle;
 }
 
 bool ReachabilityGrid::is_reachable(std::size_t tip, const Vec3& from_shoulder) const {

@@ -95,7 +95,7 @@ Candidate refine(const planning::PlanningInputs& planner, const BasePlacement& s
   EvaluatedPlacement best = map_all_from_random(planner, start, trials, seed);
   for (int level = 0; level < steps.levels; ++level, shift_m /= 2, turn_rad /= 2) {
     if (level > 0) {
-      const std::uint64_t again = math::seed_from(seed, "again", static_cast<std::size_t>(level));
+      const std::uint64_t again = math::seed_from(seed, "again", level);
       EvaluatedPlacement anew = map_all_from_random(planner, best.candidate.stand, trials, again);
       if (anew.candidate.cost < best.candidate.cost) best = std::move(anew);
     }

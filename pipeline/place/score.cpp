@@ -81,7 +81,7 @@ PlacementMeasures measure(const map::MappingProblem& problem, const JointRows& q
   std::vector<Pose> frames;
   collision::CollisionScratch scratch;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    const JointVector at = q.row(static_cast<Index>(f)).transpose();
+    const JointVector at = q.row(f).transpose();
     const humanlike::FrameGoal& goal = problem.goals[f];
     robot::forward_kinematics(robot, at, frames);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
@@ -97,18 +97,18 @@ PlacementMeasures measure(const map::MappingProblem& problem, const JointRows& q
         0.0, -collision::least_slack(*problem.world, at, problem.time[f], scratch).slack());
     colliding.add(lack > 0 ? 1 : 0);
     depth.add(lack);
-    const Vec3 shoulder = frames[static_cast<std::size_t>(robot.shoulder_frame)].translation();
+    const Vec3 shoulder = frames[robot.shoulder_frame].translation();
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, frames);
     const Vec3 human = goal.elbow - goal.shoulder;
     if (!centres.empty() && is_known(human))
       upper_arm.add(angle_between_vectors(human, centres.front() - shoulder));
     if (is_known(goal.hand)) {
-      const Pose& hand = frames[static_cast<std::size_t>(robot.palm_frame)];
+      const Pose& hand = frames[robot.palm_frame];
       palm.add(angle_between(Quat(hand.linear()), goal.hand));
     }
     limits.add(limit_proximity(robot, at));
     if (f == 0) continue;
-    const JointVector before = q.row(static_cast<Index>(f - 1)).transpose();
+    const JointVector before = q.row(f - 1).transpose();
     measures.speed_ratio =
         std::max(measures.speed_ratio,
                  speed_between(robot, before, at, problem.time[f] - problem.time[f - 1]));

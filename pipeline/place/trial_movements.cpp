@@ -68,8 +68,7 @@ std::vector<TrialMovement> make_trials(const planning::PlanningInputs& planner,
   if (all.empty())
     throw InputError("place: the dataset has no movement with a shoulder and fingertips");
   std::vector<TrialMovement> few;
-  for (const std::size_t k :
-       planning::evenly_spaced_frames(all.size(), static_cast<std::size_t>(options.movements))) {
+  for (const std::size_t k : planning::evenly_spaced_frames(all.size(), options.movements)) {
     few.push_back(all[k]);
   }
   return few;

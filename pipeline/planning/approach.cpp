@@ -83,10 +83,10 @@ JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) 
     rows.push_back(approach.position.row(k).transpose());
   }
   JointPath back;
-  back.position.resize(static_cast<Eigen::Index>(rows.size()), trajectory.position.cols());
+  back.position.resize(rows.size(), trajectory.position.cols());
   back.origin.assign(rows.size(), SampleOrigin::planned);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    back.position.row(static_cast<Eigen::Index>(k)) = rows[k].transpose();
+    back.position.row(k) = rows[k].transpose();
     back.demonstration_time.push_back(0.01 * static_cast<double>(k));
   }
   return back;
@@ -102,7 +102,7 @@ std::string validation_error(const ApproachOptions& options) {
 }
 
 JointVector home_posture(const RobotModel& robot, const ApproachOptions& options) {
-  JointVector home = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  JointVector home = JointVector::Zero(robot.joints());
   for (const ApproachOptions::Joint& joint : options.home) {
     const auto found = std::ranges::find(robot.joint_names, joint.joint);
     home[found - robot.joint_names.begin()] = joint.value;

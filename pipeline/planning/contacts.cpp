@@ -44,9 +44,7 @@ struct ContactContext {
   const SceneObject& target;
   std::uint64_t seed;
 
-  collision::Solid solid() const {
-    return collision::solid_at(world, static_cast<std::size_t>(world.target));
-  }
+  collision::Solid solid() const { return collision::solid_at(world, world.target); }
 };
 
 /// The contacts and constraints requested of the tips.
@@ -85,7 +83,7 @@ map::MappingProblem problem_of(const ContactContext& of, const ContactAttempt& a
 /// Returns the frame in which the hand has grasped the target; frames() if there is no such frame.
 std::size_t frame_of_grasp(const Goals& goals, const grasp::HoldInterval& when) {
   const auto at = std::ranges::lower_bound(goals.time, when.begin_s);
-  return static_cast<std::size_t>(at - goals.time.begin());
+  return at - goals.time.begin();
 }
 
 /// Sets the goals of pads and closed fingers, and the initial path: the previous one, blended
@@ -100,7 +98,7 @@ void aim_hand(const ContactContext& of, const std::vector<std::string>& given_up
                        of.planner.config.grasp->preshape_clearance_m, goals);
   if (frame == goals.frames()) return;
   JointRows& path = attempt.plan.path.position;
-  const JointVector before = path.row(static_cast<Eigen::Index>(frame)).transpose();
+  const JointVector before = path.row(frame).transpose();
   map::MappingScratch scratch;
   const JointVector touching =
       map::solve_frame(with_clearance_weights(problem_of(of, attempt), kContactWeights), frame,
@@ -109,7 +107,7 @@ void aim_hand(const ContactContext& of, const std::vector<std::string>& given_up
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double share = grasp::closing_progress(when, goals.time[f]);
     if (share == 0) continue;
-    path.row(static_cast<Eigen::Index>(f)) += share * (touching - before).transpose();
+    path.row(f) += share * (touching - before).transpose();
   }
   if (!of.planner.config.grasp->close_fingers) return;
   std::vector<std::size_t> tips = grasp::tips_without_goals(robot, goals, when);
@@ -190,8 +188,7 @@ bool move_touches(const ContactContext& of, const ContactAttempt& attempt,
   if (frame == plan.goals.frames() || wanted.moves == kMaxMoves) return false;
   if (std::ranges::any_of(plan.remaining_findings, is_collision, &Finding::cause)) return false;
   std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(
-      robot, plan.path.position.row(static_cast<Eigen::Index>(frame)).transpose(), base_from_frame);
+  robot::forward_kinematics(robot, plan.path.position.row(frame).transpose(), base_from_frame);
   const Pose target_from_base = recorded_pose(of.target, plan.goals.time[frame]).inverse();
   bool any = false;
   for (grasp::DesiredContact& touch : wanted.contacts) {
@@ -255,8 +252,7 @@ Contacts desired_contacts(const PlanningInputs& planner, const collision::Collis
   if (planner.config.map.mode == map::MapMode::joint_to_joint) {
     return {{}, {"no contacts: joint-to-joint mapping does not track the tips"}};
   }
-  const collision::Solid target =
-      collision::solid_at(world, static_cast<std::size_t>(world.target));
+  const collision::Solid target = collision::solid_at(world, world.target);
   Contacts wanted{
       grasp::demonstrated_contacts(planner.robot, plan.goals, plan.movement, target, options), {}};
   grasp::separate_contacts(planner.robot, target, world.tolerances.required_clearance,
@@ -273,7 +269,7 @@ Contacts desired_contacts(const PlanningInputs& planner, const collision::Collis
 PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::CollisionWorld& world,
                               std::uint64_t seed, Contacts& contacts, Plan& plan) {
   if (world.target < 0) return {};
-  const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(world.target)];
+  const SceneObject& target = plan.scene.objects[world.target];
   const ContactContext of{planner, world, target, seed};
   if (contacts.contacts.empty()) {
     plan.remaining_findings =
@@ -317,7 +313,7 @@ bool findings_concern_tip(const robot::Robot& robot, std::size_t tip,
                           const std::vector<Finding>& findings) {
   const std::string& name = robot.tips[tip].name;
   const int pad = robot.pads[tip].capsule;
-  const std::string link = pad < 0 ? "" : robot.capsules[static_cast<std::size_t>(pad)].name;
+  const std::string link = pad < 0 ? "" : robot.capsules[pad].name;
   return std::ranges::any_of(findings, [&](const Finding& finding) {
     return finding.subject == name ||
            (pad >= 0 && (finding.subject == link || finding.other_body == link));

@@ -38,7 +38,7 @@ std::vector<std::size_t> frames_of(std::vector<Finding> findings, const std::vec
 
 double attached_from(const collision::CollisionWorld& world) {
   if (world.target < 0) return kUnknown;
-  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  const SceneObject& target = world.scene->objects[world.target];
   return target.attached_frame.empty() ? kUnknown : target.attach_s;
 }
 
@@ -90,7 +90,7 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
       const JointVector q = map::solve_frame(strongest_problem, frame, start, solver, scratch).x;
       return TriedPosture{q, moment.findings(q)};
     };
-    const JointVector on_path = checked.path.position.row(static_cast<Eigen::Index>(frame));
+    const JointVector on_path = checked.path.position.row(frame);
     std::vector<TriedPosture> looked{look(on_path, options.frame_solver)};
     const auto held = [&] { return looked.back().findings.empty(); };
     if (held()) {

@@ -9,10 +9,10 @@ double palm_error(const RobotModel& robot, const Plan& plan) {
   double sum = 0;
   int count = 0;
   for (Eigen::Index f = 0; f < plan.mapped.position.rows(); ++f) {
-    const Quat hand = plan.goals.wrist_orientation[static_cast<std::size_t>(f)];
+    const Quat hand = plan.goals.wrist_orientation[f];
     if (!is_known(hand)) continue;
     robot::forward_kinematics(robot, plan.mapped.position.row(f).transpose(), frames);
-    const Pose& palm = frames[static_cast<std::size_t>(robot.palm_frame)];
+    const Pose& palm = frames[robot.palm_frame];
     sum += angle_between(Quat(palm.linear()), hand);
     ++count;
   }

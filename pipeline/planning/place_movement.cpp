@@ -33,7 +33,7 @@ void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
     if (planner.config.scene.target.carried_by == scene::Carrier::palm) {
-      object.attached_frame = robot.frames[static_cast<std::size_t>(robot.palm_frame)].name;
+      object.attached_frame = robot.frames[robot.palm_frame].name;
     } else {
       scene::move_with_tips(motion, movement, object);
     }
@@ -140,7 +140,7 @@ Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
     const PlacedMovement moved(planner, motion, movement, around, offset);
     double sum = 0;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      const JointVector near = start.row(static_cast<Eigen::Index>(k)).transpose();
+      const JointVector near = start.row(k).transpose();
       sum += map::solve_frame(moved.problem, frames[k], near, options.frame_solver, scratch).value;
     }
     return sum / static_cast<double>(frames.size()) +

@@ -130,8 +130,7 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
   }
   plan.grasp = certify::find_grasp(planner.robot, plan.scene, plan.movement, plan.trajectory);
   if (plan.grasp.sample >= 0) {
-    const double at_s =
-        plan.trajectory.demonstration_time[static_cast<std::size_t>(plan.grasp.sample)];
+    const double at_s = plan.trajectory.demonstration_time[plan.grasp.sample];
     plan.grasp.contacts =
         grasp::measure_contacts(world, contacts.contacts, plan.grasp.grasp_posture, at_s);
     if (config.grasp) {

@@ -106,7 +106,7 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   if (!config.split && !config.segment.whole_recording)
     asked.plan_until = config.segment.plan_until;
   if (config.scene.target.carried_by == scene::Carrier::palm)
-    asked.carrier_frame = asked.robot.frames[static_cast<std::size_t>(asked.robot.palm_frame)].name;
+    asked.carrier_frame = asked.robot.frames[asked.robot.palm_frame].name;
   if (config.approach)
     asked.home = {home_posture(asked.robot, *config.approach), config.approach->limit_scaling,
                   config.approach->retreat};

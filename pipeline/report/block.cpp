@@ -60,8 +60,7 @@ nlohmann::ordered_json Block::table(const JointRows& values, double step) {
 }
 
 nlohmann::ordered_json Block::column(const std::vector<double>& values, double step) {
-  return table(
-      Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size())), step);
+  return table(Eigen::Map<const JointVector>(values.data(), values.size()), step);
 }
 
 std::string Block::to_base64() const {

@@ -16,14 +16,13 @@ using Rows = std::vector<int>;
 template <class T>
 std::vector<T> select_rows(const std::vector<T>& values, const Rows& rows) {
   std::vector<T> out;
-  for (const int row : rows) out.push_back(values[static_cast<std::size_t>(row)]);
+  for (const int row : rows) out.push_back(values[row]);
   return out;
 }
 
 JointRows select_rows(const JointRows& values, const Rows& rows) {
-  JointRows out(static_cast<Eigen::Index>(rows.size()), values.cols());
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    out.row(static_cast<Eigen::Index>(k)) = values.row(rows[k]);
+  JointRows out(rows.size(), values.cols());
+  for (std::size_t k = 0; k < rows.size(); ++k) out.row(k) = values.row(rows[k]);
   return out;
 }
 
@@ -33,9 +32,9 @@ JointRows limit_ratios(const JointRows& values, const JointVector& limit) {
 
 /// Computes the values that are greatest in magnitude from each displayed row up to the next.
 JointRows maxima_between_rows(const JointRows& values, const Rows& rows) {
-  JointRows out = JointRows::Zero(static_cast<Eigen::Index>(rows.size()), values.cols());
+  JointRows out = JointRows::Zero(rows.size(), values.cols());
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
-    auto greatest = out.row(static_cast<Eigen::Index>(k));
+    auto greatest = out.row(k);
     for (int row = rows[k]; row < rows[k + 1]; ++row) {
       for (Eigen::Index joint = 0; joint < values.cols(); ++joint) {
         if (std::abs(values(row, joint)) > std::abs(greatest[joint]))
@@ -53,7 +52,7 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
   const auto capsules = static_cast<int>(world.robot->capsules.size());
   for (std::size_t k = 0; k < motion.time.size(); ++k) {
     const double time_s = motion.demonstration_time[k];
-    const JointVector q = motion.position.row(static_cast<Eigen::Index>(k)).transpose();
+    const JointVector q = motion.position.row(k).transpose();
     collision::PairSeparation nearest = collision::least_slack(world, q, time_s, scratch);
     const double wide =
         world.tolerances.max_penetration + world.tolerances.required_clearance + kTouchDistance_m;
@@ -68,8 +67,7 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
     const bool moved = world.target >= 0 && collision::target_state_at(world, time_s) !=
                                                 collision::TargetState::as_recorded;
     motion.target_moved.push_back(moved ? 1 : 0);
-    motion.target_pose.push_back(
-        moved ? scratch.object_poses[static_cast<std::size_t>(world.target)] : Pose::Identity());
+    motion.target_pose.push_back(moved ? scratch.object_poses[world.target] : Pose::Identity());
   }
 }
 
@@ -83,7 +81,7 @@ void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotio
   if (goals.frames() == 0) return;
   std::vector<Pose> base_from_frame;
   for (Eigen::Index row = 0; row < rows; ++row) {
-    const double time_s = motion.demonstration_time[static_cast<std::size_t>(row)];
+    const double time_s = motion.demonstration_time[row];
     robot::forward_kinematics(robot, motion.position.row(row).transpose(), base_from_frame);
     for (Eigen::Index tip = 0; tip < tips; ++tip) {
       const auto i = static_cast<std::size_t>(tip);
@@ -99,8 +97,7 @@ void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotio
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = interpolate_point(goals.elbow_position, frame_interpolation(goals, time_s));
     if (!centres.empty() && is_known(elbow))
-      motion.humanlikeness[static_cast<std::size_t>(row)] =
-          humanlike::joint_distance_sum(elbow, centres);
+      motion.humanlikeness[row] = humanlike::joint_distance_sum(elbow, centres);
   }
 }
 
@@ -118,7 +115,7 @@ std::vector<double> tip_speed(const robot::Robot& robot, const Goals& goals,
                               const JointRows& position, const JointRows& velocity) {
   const std::vector<bool> any = tips_with_goals(goals);
   const auto count = std::ranges::count(any, true);
-  std::vector<double> speed(static_cast<std::size_t>(position.rows()), kUnknown);
+  std::vector<double> speed(position.rows(), kUnknown);
   if (count == 0) return speed;
   std::vector<Pose> base_from_frame;
   Eigen::Matrix3Xd jacobian(3, position.cols());
@@ -131,7 +128,7 @@ std::vector<double> tip_speed(const robot::Robot& robot, const Goals& goals,
       robot::point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
       sum += (jacobian * velocity.row(row).transpose()).norm();
     }
-    speed[static_cast<std::size_t>(row)] = sum / static_cast<double>(count);
+    speed[row] = sum / static_cast<double>(count);
   }
   return speed;
 }

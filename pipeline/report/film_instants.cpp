@@ -15,7 +15,7 @@ const DisplayMotion* goal_motion(const PlanView& view) {
 
 std::size_t nearest_row(const std::vector<double>& times, double x) {
   const auto nearer = [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); };
-  return static_cast<std::size_t>(std::ranges::min_element(times, nearer) - times.begin());
+  return std::ranges::min_element(times, nearer) - times.begin();
 }
 
 std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view) {

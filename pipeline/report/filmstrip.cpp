@@ -61,9 +61,7 @@ void add_robot(const robot::Robot& robot, const Pose& world_from_base, const Joi
   robot::forward_kinematics(robot, q, base_from_frame);
   for (const RobotModel::Capsule& capsule : robot.capsules) {
     const Pose pose =
-        capsule.frame < 0
-            ? world_from_base
-            : world_from_base * base_from_frame[static_cast<std::size_t>(capsule.frame)];
+        capsule.frame < 0 ? world_from_base : world_from_base * base_from_frame[capsule.frame];
     limbs.push_back({pose * capsule.from, pose * capsule.to, capsule.radius, Colours::kRobot});
   }
 }
@@ -114,8 +112,7 @@ std::vector<PanelContent> panel_contents(const robot::Robot& robot, const Plan& 
     scenery.words = instant.caption;
     add_person(robot, view.world_from_base, plan.goals, instant.demonstration_s, scenery);
     if (motion)
-      add_robot(robot, view.world_from_base,
-                motion->position.row(static_cast<Eigen::Index>(instant.row)).transpose(),
+      add_robot(robot, view.world_from_base, motion->position.row(instant.row).transpose(),
                 scenery.limbs);
     scenery.objects = object_poses(plan, view, motion, instant.row, instant.demonstration_s);
     sceneries.push_back(std::move(scenery));
@@ -220,7 +217,7 @@ void draw_charts(Svg& svg, const Plan& plan, const PlanView& view,
     double most = kUnknown;
     for (const double error : motion->tip_error.row(row)) most = std::fmax(most, error);
     largest.push_back(most);
-    const PhaseKind phase = motion->phase[static_cast<std::size_t>(row)];
+    const PhaseKind phase = motion->phase[row];
     const bool holds = phase == PhaseKind::grasp || phase == PhaseKind::hold;
     allowed.push_back(holds ? plan.tolerances.tracking_tolerance_grasp
                             : plan.tolerances.tracking_tolerance);

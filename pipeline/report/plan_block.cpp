@@ -12,19 +12,16 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 JointRows rows_of(const std::vector<Vec3>& points) {
-  JointRows rows(static_cast<Eigen::Index>(points.size()), 3);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    rows.row(i) = points[static_cast<std::size_t>(i)].transpose();
+  JointRows rows(points.size(), 3);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = points[i].transpose();
   return rows;
 }
 
 JointRows rows_of(const Array2D<Vec3>& points) {
-  JointRows rows(static_cast<Eigen::Index>(points.rows),
-                 3 * static_cast<Eigen::Index>(points.cols));
+  JointRows rows(points.rows, 3 * static_cast<Eigen::Index>(points.cols));
   for (std::size_t row = 0; row < points.rows; ++row) {
     for (std::size_t col = 0; col < points.cols; ++col)
-      rows.row(static_cast<Eigen::Index>(row)).segment<3>(3 * static_cast<Eigen::Index>(col)) =
-          points(row, col).transpose();
+      rows.row(row).segment<3>(3 * static_cast<Eigen::Index>(col)) = points(row, col).transpose();
   }
   return rows;
 }
@@ -32,16 +29,14 @@ JointRows rows_of(const Array2D<Vec3>& points) {
 Eigen::RowVector4d numbers_of(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 JointRows rows_of(const std::vector<Quat>& rotations) {
-  JointRows rows(static_cast<Eigen::Index>(rotations.size()), 4);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i)
-    rows.row(i) = numbers_of(rotations[static_cast<std::size_t>(i)]);
+  JointRows rows(rotations.size(), 4);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) rows.row(i) = numbers_of(rotations[i]);
   return rows;
 }
 
 JointRows rows_of(const Array2D<std::uint8_t>& values) {
-  JointRows rows(static_cast<Eigen::Index>(values.rows), static_cast<Eigen::Index>(values.cols));
-  for (Eigen::Index i = 0; i < rows.size(); ++i)
-    rows.data()[i] = values.values[static_cast<std::size_t>(i)];
+  JointRows rows(values.rows, values.cols);
+  for (Eigen::Index i = 0; i < rows.size(); ++i) rows.data()[i] = values.values[i];
   return rows;
 }
 
@@ -54,7 +49,7 @@ std::vector<int> numbers_of(const std::vector<E>& values) {
 
 /// Returns seven columns: position, then the quaternion w x y z.
 JointRows pose_rows(const std::vector<Vec3>& position, const std::vector<Quat>& orientation) {
-  JointRows rows(static_cast<Eigen::Index>(position.size()), 7);
+  JointRows rows(position.size(), 7);
   rows << rows_of(position), rows_of(orientation);
   return rows;
 }
@@ -103,7 +98,7 @@ Json mapped_json(Block& block, const MappingResult& mapped) {
 Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
   std::vector<int> first, second;
   std::vector<double> distance, required;
-  JointRows points(static_cast<Eigen::Index>(motion.nearest.size()), 6);
+  JointRows points(motion.nearest.size(), 6);
   for (std::size_t k = 0; k < motion.nearest.size(); ++k) {
     const collision::PairSeparation& pair = motion.nearest[k];
     const bool none = pair.capsule < 0;
@@ -111,7 +106,7 @@ Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
     second.push_back(none ? -1 : pair.other_is_object ? capsules + pair.other : pair.other);
     distance.push_back(none ? kUnknown : pair.separation.distance);
     required.push_back(none ? kUnknown : pair.required_distance_m);
-    auto row = points.row(static_cast<Eigen::Index>(k));
+    auto row = points.row(k);
     if (none)
       row.setConstant(kUnknown);
     else
@@ -125,9 +120,9 @@ Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
 }
 
 JointRows target_rows(const DisplayMotion& motion) {
-  JointRows rows(static_cast<Eigen::Index>(motion.target_pose.size()), 7);
+  JointRows rows(motion.target_pose.size(), 7);
   for (std::size_t k = 0; k < motion.target_pose.size(); ++k) {
-    auto row = rows.row(static_cast<Eigen::Index>(k));
+    auto row = rows.row(k);
     const Pose& pose = motion.target_pose[k];
     if (motion.target_moved[k] == 0)
       row.setConstant(kUnknown);
@@ -138,10 +133,10 @@ JointRows target_rows(const DisplayMotion& motion) {
 }
 
 JointRows touching_rows(const DisplayMotion& motion) {
-  JointRows rows(static_cast<Eigen::Index>(motion.touching_pairs.size()), 3);
+  JointRows rows(motion.touching_pairs.size(), 3);
   for (std::size_t k = 0; k < motion.touching_pairs.size(); ++k) {
     const DisplayMotion::Touch& touch = motion.touching_pairs[k];
-    rows.row(static_cast<Eigen::Index>(k)) << touch.row, touch.capsule, touch.other;
+    rows.row(k) << touch.row, touch.capsule, touch.other;
   }
   return rows;
 }
@@ -270,9 +265,9 @@ Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& vi
 
 Block mesh_block(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
   Block block;
-  JointRows corners(static_cast<Eigen::Index>(triangles.size()), 3);
+  JointRows corners(triangles.size(), 3);
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    corners.row(static_cast<Eigen::Index>(i)) = triangles[i].cast<double>().transpose();
+    corners.row(i) = triangles[i].cast<double>().transpose();
   block.json["vertices"] = block.table(rows_of(vertices), Resolution::kLength_m);
   block.json["triangles"] = block.table(corners, 1);
   return block;

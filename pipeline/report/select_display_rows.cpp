@@ -26,9 +26,7 @@ JointRows jerk_ratios(const RobotModel& robot, const Trajectory& trajectory) {
   JointRows shares = JointRows::Zero(std::max<Eigen::Index>(samples - 1, 0), joints);
   for (Eigen::Index row = 0; row < shares.rows(); ++row) {
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
-      const math::Range jerk =
-          math::extremes(math::quintic_piece(trajectory, static_cast<std::size_t>(row), joint))
-              .jerk;
+      const math::Range jerk = math::extremes(math::quintic_piece(trajectory, row, joint)).jerk;
       const double greatest = jerk.greatest > -jerk.least ? jerk.greatest : jerk.least;
       shares(row, joint) = greatest / robot.jerk[joint];
     }

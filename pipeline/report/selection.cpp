@@ -98,8 +98,7 @@ SelectedPlans select_plans(const store::PlanReader& reader, const Selection& sel
   }
   const std::size_t matching = selected.plans.size();
   if (selection.worst_count > 0)
-    selected.plans =
-        select_worst(selected.plans, badness, static_cast<std::size_t>(selection.worst_count));
+    selected.plans = select_worst(selected.plans, badness, selection.worst_count);
   selected.left_out = left_out_sentence(selection, reader.size(), matching, selected.plans.size());
   return selected;
 }

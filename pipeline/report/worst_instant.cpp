@@ -49,7 +49,7 @@ std::optional<TipError> worst_miss(const Plan& plan, const std::vector<DisplayMo
   std::optional<TipError> worst;
   for (const DisplayMotion& motion : motions) {
     for (Eigen::Index row = 0; row < motion.tip_error.rows(); ++row) {
-      const double time_s = motion.demonstration_time[static_cast<std::size_t>(row)];
+      const double time_s = motion.demonstration_time[row];
       const bool grasping = is_grasping_at(plan.movement, time_s);
       const Tolerances& allowed = plan.tolerances;
       const double tolerance =
@@ -88,8 +88,7 @@ std::string required_words(double required) {
 
 std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
                              const collision::PairSeparation& pair) {
-  return fmt::format("{} and {} {}; {}",
-                     robot.capsules[static_cast<std::size_t>(pair.capsule)].name,
+  return fmt::format("{} and {} {}; {}", robot.capsules[pair.capsule].name,
                      other_name(robot, plan, pair), distance_words(pair.separation.distance),
                      required_words(pair.required_distance_m));
 }

@@ -21,8 +21,7 @@ void count_goals(const Plan& plan, BatchSummary& summary) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
       ++summary.goals;
-      if (!plan.goals.reachable(static_cast<std::size_t>(f), static_cast<std::size_t>(tip)))
-        ++summary.out_of_reach;
+      if (!plan.goals.reachable(f, tip)) ++summary.out_of_reach;
     }
   }
 }

@@ -100,7 +100,7 @@ void Statement::reset() {
 std::string Statement::text(int column) const {
   const auto* const bytes = static_cast<const char*>(sqlite3_column_blob(handle_, column));
   const int count = sqlite3_column_bytes(handle_, column);
-  return count > 0 ? std::string(bytes, static_cast<std::size_t>(count)) : std::string();
+  return count > 0 ? std::string(bytes, count) : std::string();
 }
 
 std::int64_t Statement::number(int column) const { return sqlite3_column_int64(handle_, column); }

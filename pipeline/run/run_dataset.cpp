@@ -141,9 +141,8 @@ class Run {
 
   static std::string sample_names(const std::vector<std::string>& names) {
     constexpr std::size_t kMaxListedNames = 3;
-    const std::vector<std::string> first(
-        names.begin(),
-        names.begin() + static_cast<std::ptrdiff_t>(std::min(kMaxListedNames, names.size())));
+    const std::vector<std::string> first(names.begin(),
+                                         names.begin() + std::min(kMaxListedNames, names.size()));
     return fmt::format("{}{}", fmt::join(first, ", "),
                        names.size() > kMaxListedNames
                            ? fmt::format(" and {} more", names.size() - kMaxListedNames)

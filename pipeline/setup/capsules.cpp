@@ -26,7 +26,7 @@ double equivalent_rod_radius(const robot::UrdfInertia& inertia) {
 /// surface.
 std::vector<Vec3> child_origins(const Kinematics& robot, int frame, const std::vector<Pad>& pads) {
   std::vector<Vec3> ends;
-  for (const int child : robot.children[static_cast<std::size_t>(frame)]) {
+  for (const int child : robot.children[frame]) {
     ends.push_back(robot.frame(child).transform.translation());
   }
   for (const Pad& pad : pads) {
@@ -45,7 +45,7 @@ LinkCapsules assumed_capsules(const Kinematics& robot, int frame, const std::vec
   LinkCapsules link;
   link.frame = frame;
   link.sure = Provenance::assumed;
-  const auto inertia = robot.model->inertias.find(robot.link[static_cast<std::size_t>(frame)]);
+  const auto inertia = robot.model->inertias.find(robot.link[frame]);
   for (const Vec3& end : ends) {
     RobotModel::Capsule bone;
     bone.to = end;
@@ -95,9 +95,9 @@ std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector
     if (shapes.shapes_by_frame.contains(frame)) {
       LinkCapsules link;
       link.frame = frame;
-      const cover::CapsuleFit cover = cover::fit_capsules(
-          shapes.shapes_by_frame.at(frame), budget_of(robot, frame, arm, hand, budget),
-          robot.link[static_cast<std::size_t>(frame)]);
+      const cover::CapsuleFit cover =
+          cover::fit_capsules(shapes.shapes_by_frame.at(frame),
+                              budget_of(robot, frame, arm, hand, budget), robot.link[frame]);
       for (const collision::CapsuleBody& body : cover.capsules) {
         RobotModel::Capsule& capsule = link.capsules.emplace_back();
         capsule.from = body.from;

@@ -30,9 +30,9 @@ struct Sampler {
   double penetration_depth(int one, int other, const JointVector& q) {
     robot::forward_kinematics(robot, q, poses);
     const auto body = [&](int k) -> collision::CapsuleBody {
-      const RobotModel::Capsule& c = robot.capsules[static_cast<std::size_t>(k)];
+      const RobotModel::Capsule& c = robot.capsules[k];
       if (c.frame < 0) return {c.from, c.to, c.radius};
-      const Pose& pose = poses[static_cast<std::size_t>(c.frame)];
+      const Pose& pose = poses[c.frame];
       return {pose * c.from, pose * c.to, c.radius};
     };
     double deepest = -HUGE_VAL;
@@ -74,9 +74,7 @@ struct Sampler {
     }
     return true;
   }
-  std::string name(int frame) const {
-    return frame < 0 ? "base" : robot.frames[static_cast<std::size_t>(frame)].name;
-  }
+  std::string name(int frame) const { return frame < 0 ? "base" : robot.frames[frame].name; }
 };
 
 }  // namespace

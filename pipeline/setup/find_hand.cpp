@@ -28,7 +28,7 @@ struct Subtree {
 
 Subtree subtree_of(const Kinematics& robot, int frame) {
   Subtree found;
-  for (const int child : robot.children[static_cast<std::size_t>(frame)]) {
+  for (const int child : robot.children[frame]) {
     const Subtree further = subtree_of(robot, child);
     const double link_m = robot.frame(child).transform.translation().norm();
     found.reach_m = std::max(found.reach_m, link_m + further.reach_m);
@@ -42,7 +42,7 @@ Subtree subtree_of(const Kinematics& robot, int frame) {
 void find_roots(const Kinematics& robot, int frame, std::vector<int>& roots) {
   const Subtree all = subtree_of(robot, frame);
   if (all.leaves.size() < 2) return;
-  const auto& children = robot.children[static_cast<std::size_t>(frame)];
+  const auto& children = robot.children[frame];
   const auto branches = std::ranges::count_if(
       children, [&](int child) { return !subtree_of(robot, child).leaves.empty(); });
   if (branches > 1 && all.reach_m <= kMaxHandLength_m) {
@@ -67,8 +67,7 @@ int finger_from_names(const Kinematics& robot, const std::vector<int>& frames) {
                                                                    // this name as well
   for (const auto& [word, finger] : kWords) {
     for (const int f : frames) {
-      const std::string text =
-          lower_case(robot.frame(f).name + " " + robot.link[static_cast<std::size_t>(f)]);
+      const std::string text = lower_case(robot.frame(f).name + " " + robot.link[f]);
       if (text.find(word) != std::string::npos) return finger;
     }
   }
@@ -127,7 +126,7 @@ std::size_t find_thumb(const Kinematics& robot, const std::vector<Finger>& finge
       if (i != k) alike[i] += closing_axis(robot, fingers[i]).dot(closing_axis(robot, fingers[k]));
     }
   }
-  return static_cast<std::size_t>(std::ranges::min_element(alike) - alike.begin());
+  return std::ranges::min_element(alike) - alike.begin();
 }
 
 /// Numbers the fingers other than the thumb, starting from its side.
@@ -185,7 +184,7 @@ std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called
   if (roots.empty()) return std::nullopt;
   if (roots.size() > 1) {
     std::vector<std::string> names;
-    for (const int root : roots) names.push_back(robot.link[static_cast<std::size_t>(root)]);
+    for (const int root : roots) names.push_back(robot.link[root]);
     throw InputError(fmt::format("{}: has {} hands, at {}: select one with --hand LINK",
                                  robot.model->file.string(), roots.size(), fmt::join(names, ", ")));
   }

@@ -11,7 +11,7 @@ int farthest_fixed_frame(const Kinematics& robot, int last, const Vec3& outwards
   int best = last;
   double farthest = 1e-6;
   const auto look = [&](const auto& self, int frame) -> void {
-    for (const int child : robot.children[static_cast<std::size_t>(frame)]) {
+    for (const int child : robot.children[frame]) {
       if (robot.moves(child)) continue;
       const Vec3 at = robot.pose(child).translation();
       const double along = (at - axis.point).dot(outwards);

@@ -30,9 +30,9 @@ int find_urdf_tip(const Kinematics& robot, int last, const BodyPoints& points) {
   int best = -1;
   double farthest = 1e-3;
   const auto look = [&](const auto& self, int frame) -> void {
-    for (const int child : robot.children[static_cast<std::size_t>(frame)]) {
+    for (const int child : robot.children[frame]) {
       if (robot.moves(child)) continue;
-      std::string name = robot.link[static_cast<std::size_t>(child)];
+      std::string name = robot.link[child];
       std::ranges::transform(name, name.begin(),
                              [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
       const bool called = name.find("tip") != std::string::npos;
@@ -94,7 +94,7 @@ Pose make_frame(const Vec3& origin, const Vec3& x, const Vec3& z) {
 
 /// Estimates the end of a body without shapes from its centre of mass.
 Vec3 fingertip_from_inertia(const Kinematics& robot, int last, const Line& axis) {
-  const auto inertia = robot.model->inertias.find(robot.link[static_cast<std::size_t>(last)]);
+  const auto inertia = robot.model->inertias.find(robot.link[last]);
   if (inertia == robot.model->inertias.end()) return robot.pose(last).translation();
   const Vec3 centre = robot.pose(last) * inertia->second.link_from_inertia.translation();
   return project_onto_line(axis, centre) +
@@ -109,7 +109,7 @@ Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& po
   const int own = find_urdf_tip(robot, pad.frame, points);
   Vec3 end = Vec3::Zero();
   if (own >= 0) {
-    pad.urdf_tip_link = robot.link[static_cast<std::size_t>(own)];
+    pad.urdf_tip_link = robot.link[own];
     end = robot.pose(own).translation();
     pad.urdf_tip = robot.pose(pad.frame).inverse() * end;
   }
@@ -159,7 +159,7 @@ std::vector<Pad> gripper_pads(const Kinematics& robot, const Hand& hand, const B
     const std::vector<Vec3> body = last_link_points(robot, pad.frame, points);
     const int own = find_urdf_tip(robot, pad.frame, points);
     if (own >= 0) {
-      pad.urdf_tip_link = robot.link[static_cast<std::size_t>(own)];
+      pad.urdf_tip_link = robot.link[own];
       pad.urdf_tip = robot.pose(pad.frame).inverse() * robot.pose(own).translation();
     }
     pad.sure = body.empty() ? Provenance::assumed : Provenance::derived;

@@ -27,8 +27,7 @@ Kinematics kinematics_of(const robot::UrdfModel& model) {
   robot.children.resize(table.frames.size());
   for (std::size_t f = 0; f < table.frames.size(); ++f) {
     const int parent = table.frames[f].parent;
-    if (parent >= 0)
-      robot.children[static_cast<std::size_t>(parent)].push_back(static_cast<int>(f));
+    if (parent >= 0) robot.children[parent].push_back(static_cast<int>(f));
   }
   robot.link = model.link_of_frame();
   return robot;

@@ -29,11 +29,9 @@ struct Kinematics {
   /// Returns the table of the robot model.
   const RobotModel& table() const { return model->table; }
   /// Returns a frame of the table.
-  const RobotModel::Frame& frame(int f) const {
-    return model->table.frames[static_cast<std::size_t>(f)];
-  }
+  const RobotModel::Frame& frame(int f) const { return model->table.frames[f]; }
   /// Returns the pose of a frame in the base frame.
-  const Pose& pose(int f) const { return base_from_frame[static_cast<std::size_t>(f)]; }
+  const Pose& pose(int f) const { return base_from_frame[f]; }
   /// Returns true if a joint moves the frame relative to its parent.
   bool moves(int f) const { return frame(f).joint >= 0; }
   /// Returns the axis about which a moving frame turns or along which it slides.

@@ -43,9 +43,9 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
   const RobotModel& table = robot.table();
   std::vector<bool> slides(table.joints(), false), seen(table.joints(), false);
   for (const RobotModel::Frame& frame : table.frames) {
-    if (frame.joint < 0 || seen[static_cast<std::size_t>(frame.joint)]) continue;
-    seen[static_cast<std::size_t>(frame.joint)] = true;
-    slides[static_cast<std::size_t>(frame.joint)] = frame.prismatic;
+    if (frame.joint < 0 || seen[frame.joint]) continue;
+    seen[frame.joint] = true;
+    slides[frame.joint] = frame.prismatic;
   }
   const PublishedArm* arm = find_published_arm(robot);
   const std::vector<int> seven = seven_joints(robot);
@@ -55,8 +55,8 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
     JointLimits own;
     own.joint = joint.name;
     if (!joint.lower && joint.kind != robot::JointKind::continuous) {
-      own.lower = table.lower[static_cast<Eigen::Index>(j)];
-      own.upper = table.upper[static_cast<Eigen::Index>(j)];
+      own.lower = table.lower[j];
+      own.upper = table.upper[j];
     }
     if (!joint.velocity) own.velocity = slides[j] ? kDefaultVelocity_m_s : kDefaultVelocity_rad_s;
     own.acceleration = kAccelerationPerVelocity * joint.velocity.value_or(own.velocity.value_or(1));

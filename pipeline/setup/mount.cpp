@@ -42,12 +42,11 @@ Pose default_mount(const robot::RobotDescription& hand) {
       JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
   std::vector<Pose> poses;
   robot::forward_kinematics(table, rest, poses);
-  const Pose palm_from_base = poses[static_cast<std::size_t>(table.palm_frame)].inverse();
+  const Pose palm_from_base = poses[table.palm_frame].inverse();
   double back = 0;
   for (const RobotModel::Capsule& capsule : table.capsules) {
-    const Pose pose = capsule.frame < 0
-                          ? palm_from_base
-                          : Pose(palm_from_base * poses[static_cast<std::size_t>(capsule.frame)]);
+    const Pose pose =
+        capsule.frame < 0 ? palm_from_base : Pose(palm_from_base * poses[capsule.frame]);
     for (const Vec3& end : {capsule.from, capsule.to}) {
       back = std::min(back, (pose * end).z() - capsule.radius);
     }
@@ -73,7 +72,7 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
   const std::string name =
       request.name.empty() ? arm.table.name + "_" + hand.table.name : request.name;
   const std::string prefix = share_names(arm, hand) ? "hand_" : "";
-  const std::string flange = arm.table.frames[static_cast<std::size_t>(arm.table.palm_frame)].name;
+  const std::string flange = arm.table.frames[arm.table.palm_frame].name;
   const std::string parts = fmt::format(
       "parts:\n  - {{file: {}}}\n  - {{file: {}, {}parent: {}, mount: {}}}  # {}\n",
       yaml_name(relative_to_output(request.arm, request.out)),
@@ -86,8 +85,7 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
   std::string collision;
   for (const AllowedPair& pair : find_allowed_links(bare.table)) {
     const auto called = [&](int frame) {
-      return frame < 0 ? std::string("base")
-                       : bare.table.frames[static_cast<std::size_t>(frame)].name;
+      return frame < 0 ? std::string("base") : bare.table.frames[frame].name;
     };
     if (collision.empty()) collision = "collision:\n  allowed_links:\n";
     collision +=

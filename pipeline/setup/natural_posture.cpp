@@ -20,8 +20,7 @@ DrivenJoints driven_joints(const Kinematics& robot, const Finger& finger) {
   const Vec3 axis = robot.axis(last).direction;
   for (auto f = finger.frames.rbegin(); f != finger.frames.rend(); ++f) {
     const RobotModel::Frame& frame = robot.frame(*f);
-    const bool drives =
-        frame.name == robot.table().joint_names[static_cast<std::size_t>(frame.joint)];
+    const bool drives = frame.name == robot.table().joint_names[frame.joint];
     const bool bends = std::abs(robot.axis(*f).direction.dot(axis)) > kMinBendingAxisCosine;
     if (bends && seen.insert(frame.joint).second) joints.bending.push_back(frame.joint);
     if (!bends && drives && seen.insert(frame.joint).second) joints.others.push_back(frame.joint);
@@ -35,7 +34,7 @@ std::vector<robot::NaturalJoint> natural_posture(const Kinematics& robot, const 
   std::vector<robot::NaturalJoint> natural;
   if (hand.gripper || hand.fingers.size() < 3) return natural;
   const auto& names = robot.table().joint_names;
-  const auto name = [&](int joint) { return names[static_cast<std::size_t>(joint)]; };
+  const auto name = [&](int joint) { return names[joint]; };
   const DrivenJoints index = driven_joints(robot, hand.fingers[1]);
   std::set<int> told;
   for (const int joint : index.bending) told.insert(joint);

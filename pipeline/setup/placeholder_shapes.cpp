@@ -46,8 +46,7 @@ std::vector<std::string> remove_finger_placeholder_shapes(const Kinematics& robo
     const auto holds_a_pad = [&](const SceneObject& object) {
       return std::ranges::any_of(postures, [&](const std::vector<Pose>& poses) {
         return std::ranges::any_of(pads, [&](const Pad& pad) {
-          const Pose base_from_pad =
-              poses[static_cast<std::size_t>(pad.frame)] * pad.frame_from_pad;
+          const Pose base_from_pad = poses[pad.frame] * pad.frame_from_pad;
           return is_inside(object, poses[f].inverse() * base_from_pad.translation());
         });
       });

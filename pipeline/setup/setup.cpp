@@ -48,12 +48,12 @@ struct UrdfAnalysis {
     while (taken()) name += "_of_setup";
     return name;
   }
-  std::string link(int frame) const { return robot.link[static_cast<std::size_t>(frame)]; }
+  std::string link(int frame) const { return robot.link[frame]; }
   std::string joint(int frame) const { return robot.frame(frame).name; }
   /// The joints of a hand's own wrist are not an arm.
   bool has_arm() const { return arm.size() > 2; }
   std::string finger_name(const Finger& finger) const {
-    return std::string(kFingerNames[static_cast<std::size_t>(finger.finger)]);
+    return std::string(kFingerNames[finger.finger]);
   }
 };
 

@@ -39,9 +39,7 @@ RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& p
   const auto centre = std::ranges::find(robot.tip_of_centre, static_cast<int>(tip));
   if (centre != robot.tip_of_centre.end()) {
     const auto k = static_cast<std::size_t>(centre - robot.tip_of_centre.begin());
-    finger.middle_joint =
-        object_from_base *
-        frames[static_cast<std::size_t>(robot.joint_centres[k].frame)].translation();
+    finger.middle_joint = object_from_base * frames[robot.joint_centres[k].frame].translation();
   }
   return finger;
 }
@@ -68,7 +66,7 @@ Penetration deepest_penetration(const collision::CollisionWorld& world,
   const auto target = static_cast<std::size_t>(world.target);
   collision::CollisionScratch scratch;
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
-    const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    const JointVector q = trajectory.position.row(i).transpose();
     collision::update_bodies(world, q, trajectory.demonstration_time[i], scratch);
     for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
       const double depth =

@@ -77,9 +77,7 @@ std::vector<RecordedGrasp> load_recordings(const GraspSet& set, const StudyRun& 
     });
   }
   if (!set.synthetic.empty()) {
-    add_synthetic_grasps(set, folder,
-                         static_cast<std::size_t>(run.quick ? set.quick_count : set.count),
-                         pad_depth_m, all);
+    add_synthetic_grasps(set, folder, run.quick ? set.quick_count : set.count, pad_depth_m, all);
   }
   return all;
 }
@@ -223,7 +221,7 @@ StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run) {
   StudyResult result;
   for (GraspSet& set : options.sets) {
     if (run.quick && set.pipelines.size() > static_cast<std::size_t>(options.quick_hands)) {
-      set.pipelines.resize(static_cast<std::size_t>(options.quick_hands));
+      set.pipelines.resize(options.quick_hands);
     }
     std::vector<RecordedGrasp> recordings;
     for (const std::string& pipeline : set.pipelines) {

@@ -87,12 +87,10 @@ double baseline_objective(BaselineMethod method, const BaselineHand& hand,
     return k < robot.tips.size() ? robot.tips[k].frame : hand.origin;
   };
   const auto point_of = [&](std::size_t k) -> Vec3 {
-    return k < robot.tips.size()
-               ? Vec3(robot::tip_pose(robot, base_from_frame, k).translation())
-               : Vec3(base_from_frame[static_cast<std::size_t>(hand.origin)].translation());
+    return k < robot.tips.size() ? Vec3(robot::tip_pose(robot, base_from_frame, k).translation())
+                                 : Vec3(base_from_frame[hand.origin].translation());
   };
-  const Eigen::Matrix3d base_from_palm =
-      base_from_frame[static_cast<std::size_t>(robot.palm_frame)].linear();
+  const Eigen::Matrix3d base_from_palm = base_from_frame[robot.palm_frame].linear();
   const std::vector<BaselineResidual> all = baseline_residuals(method, hand.scale, human, closed);
   const double beta = method == BaselineMethod::vector ? 0.02 : 0.03;
   const double share = 1 / static_cast<double>(all.size());
@@ -116,7 +114,7 @@ double baseline_objective(BaselineMethod method, const BaselineHand& hand,
 JointRows baseline_path(BaselineMethod method, const BaselineHand& hand,
                         const std::vector<std::vector<Vec3>>& human_tips) {
   const robot::Robot& robot = hand.robot;
-  JointRows course(static_cast<Eigen::Index>(human_tips.size()), robot.lower.size());
+  JointRows course(human_tips.size(), robot.lower.size());
   JointVector last = 0.5 * (robot.lower + robot.upper);
   ClosedPairs closed;
   solve::MinimiseOptions options;
@@ -132,7 +130,7 @@ JointRows baseline_path(BaselineMethod method, const BaselineHand& hand,
     };
     const JointVector found = solve::minimise(problem, last, options).x;
     last = found;
-    course.row(static_cast<Eigen::Index>(f)) = last.transpose();
+    course.row(f) = last.transpose();
   }
   return course;
 }

@@ -15,10 +15,10 @@ namespace {
 using Tips = std::vector<std::vector<Vec3>>;  // [F][tips]
 
 Tips tips_along(const robot::Robot& robot, const JointRows& q) {
-  Tips tips(static_cast<std::size_t>(q.rows()));
+  Tips tips(q.rows());
   std::vector<Pose> poses;
   for (std::size_t f = 0; f < tips.size(); ++f) {
-    robot::forward_kinematics(robot, q.row(static_cast<Eigen::Index>(f)).transpose(), poses);
+    robot::forward_kinematics(robot, q.row(f).transpose(), poses);
     for (std::size_t i = 0; i < robot.tips.size(); ++i) {
       tips[f].push_back(robot::tip_pose(robot, poses, i).translation());
     }
@@ -61,7 +61,7 @@ void score_overlaps(const robot::Robot& robot, const JointRows& q, HandScores& s
 std::size_t first_tip_of_finger(const robot::Robot& robot, std::size_t finger) {
   const auto found = std::ranges::find(robot.tips, static_cast<int>(finger),
                                        [](const RobotModel::Tip& tip) { return tip.finger; });
-  return static_cast<std::size_t>(found - robot.tips.begin());
+  return found - robot.tips.begin();
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ HandPath path_of_plans(const std::vector<Plan>& plans, const robot::Robot& robot
   for (const Plan& plan : plans) {
     for (std::size_t f = 0; f < static_cast<std::size_t>(plan.mapped.position.rows()); ++f) {
       course.time.push_back(plan.goals.time[f]);
-      rows.push_back(plan.mapped.position.row(static_cast<Eigen::Index>(f)).transpose());
+      rows.push_back(plan.mapped.position.row(f).transpose());
       std::vector<Vec3>& goals = course.goals.emplace_back();
       std::vector<Vec3>& human = course.human.emplace_back();
       for (std::size_t i = 0; i < robot.tips.size(); ++i) {
@@ -38,9 +38,9 @@ HandPath path_of_plans(const std::vector<Plan>& plans, const robot::Robot& robot
       }
     }
   }
-  course.q.resize(static_cast<Eigen::Index>(rows.size()), robot.lower.size());
+  course.q.resize(rows.size(), robot.lower.size());
   for (std::size_t f = 0; f < rows.size(); ++f) {
-    course.q.row(static_cast<Eigen::Index>(f)) = rows[f].transpose();
+    course.q.row(f) = rows[f].transpose();
   }
   return course;
 }
@@ -50,9 +50,8 @@ HandPath path_of_plans(const std::vector<Plan>& plans, const robot::Robot& robot
 Tips tips_in_wrist_frame(const std::vector<Plan>& plans, const HandPath& course,
                          const robot::Robot& robot) {
   std::vector<Pose> poses;
-  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                            poses);
-  const Pose palm_from_base = poses[static_cast<std::size_t>(robot.palm_frame)].inverse();
+  robot::forward_kinematics(robot, JointVector::Zero(robot.joints()), poses);
+  const Pose palm_from_base = poses[robot.palm_frame].inverse();
   const Goals& goals = plans.front().goals;
   Tips tips = course.goals;
   for (std::vector<Vec3>& frame : tips) {
@@ -114,14 +113,12 @@ void add_baseline_rows(const StudiedHand& hand, const robot::Robot& robot, const
   const BaselineHand peer{robot, frame_index(robot, hand.vector_origin),
                           hand.scale.value_or(found_scale)};
   std::vector<Pose> poses;
-  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                            poses);
-  Pose base_from_origin = poses[static_cast<std::size_t>(peer.origin)];
-  base_from_origin.linear() = poses[static_cast<std::size_t>(robot.palm_frame)].linear();
+  robot::forward_kinematics(robot, JointVector::Zero(robot.joints()), poses);
+  Pose base_from_origin = poses[peer.origin];
+  base_from_origin.linear() = poses[robot.palm_frame].linear();
   for (const BaselineMethod method : {BaselineMethod::vector, BaselineMethod::dexpilot}) {
     HandPath course;
-    course.time.assign(ours.time.begin(),
-                       ours.time.begin() + static_cast<std::ptrdiff_t>(human.size()));
+    course.time.assign(ours.time.begin(), ours.time.begin() + human.size());
     course.human = course.goals = human;
     for (std::vector<Vec3>& frame : course.goals) {
       for (Vec3& tip : frame) tip = base_from_origin * Vec3(peer.scale * tip);

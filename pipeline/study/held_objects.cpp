@@ -155,12 +155,12 @@ Pose world_from_hand(const Demonstration& truth, std::size_t i) {
 
 TrueHand true_hand(const Demonstration& truth, std::size_t i) {
   const RobotModel hand = human::human_hand({*truth.hand_length, *truth.hand_breadth});
-  const auto row = truth.streams.arm_angles->angles.row(static_cast<Eigen::Index>(i));
+  const auto row = truth.streams.arm_angles->angles.row(i);
   human::HandAngles angles;
   for (std::size_t k = 0; k < kHandAngleCount; ++k) {
-    angles.joint[k] = row[static_cast<Eigen::Index>(kArmAngleCount + k)];
+    angles.joint[k] = row[kArmAngleCount + k];
   }
-  angles.palm_arch = row[static_cast<Eigen::Index>(kArmAngleCount + kHandAngleCount)];
+  angles.palm_arch = row[kArmAngleCount + kHandAngleCount];
   std::vector<Pose> frames;
   const human::HandPoints points = human::hand_points(hand, angles, frames);
   const Pose world = world_from_hand(truth, i);

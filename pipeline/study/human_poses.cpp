@@ -15,7 +15,7 @@ namespace {
 std::size_t stride(const std::vector<double>& time, double step_s) {
   if (time.size() < 2) return 1;
   const double frame_s = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(step_s / frame_s)));
+  return std::max<std::size_t>(1, std::lround(step_s / frame_s));
 }
 
 template <class Use>
@@ -69,7 +69,7 @@ std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
     const auto rows = static_cast<std::size_t>(motion.hand_angles.rows());
     for (std::size_t i = 0; i < rows; i += stride(motion.time, step_s)) {
       human::HandAngles angles;
-      const JointVector row = motion.hand_angles.row(static_cast<Eigen::Index>(i)).transpose();
+      const JointVector row = motion.hand_angles.row(i).transpose();
       if (!row.allFinite()) continue;
       std::copy(row.begin(), row.end(), angles.joint.begin());
       HumanPose pose;

@@ -73,14 +73,13 @@ std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const Huma
   const Quat turn(base_from_shoulder.linear());
   std::vector<Pose> frames;
   robot::forward_kinematics(robot, (robot.lower + robot.upper) / 2, frames);
-  const Vec3 shift = frames[static_cast<std::size_t>(robot.shoulder_frame)].translation() -
-                     base_from_shoulder.translation();
+  const Vec3 shift = frames[robot.shoulder_frame].translation() - base_from_shoulder.translation();
   for (const HumanPose& pose : poses) {
     humanlike::FrameGoal goal;
     goal.elbow = base_from_shoulder * pose.elbow + shift;
     for (const RobotModel::Tip& tip : robot.tips) {
       Vec3 place = pose.wrist;
-      if (tip.finger >= 0) place = pose.tip[static_cast<std::size_t>(tip.finger)];
+      if (tip.finger >= 0) place = pose.tip[tip.finger];
       if (std::isfinite(tip.finger_curve_share)) {
         place = map::finger_curve_point({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]},
                                         tip.finger_curve_share);
@@ -118,7 +117,7 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
   const auto follow = [&](std::size_t frame, std::size_t end, int step, JointVector q) {
     best.seconds += measure_seconds([&] {
       while (frame != end) {
-        frame = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(frame) + step);
+        frame = frame + step;
         const solve::Minimum found = map::solve_frame(problem, frame, q, options, scratch);
         take(frame, found);
         q = found.x;
@@ -128,9 +127,9 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
   };
   for (int k = 0; k < kKeyFrameCount; ++k) {
     const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeyFrameCount - 1);
-    for (const solve::Minimum& start : map::search_frame(
-             problem, key, starts, kKeptMinimaCount, map::thorough_stages(options),
-             math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
+    for (const solve::Minimum& start :
+         map::search_frame(problem, key, starts, kKeptMinimaCount, map::thorough_stages(options),
+                           math::seed_from(seed, "key frame", k), scratch)) {
       take(key, start);
       follow(key, goals.size() - 1, 1, start.x);
       follow(key, 0, -1, start.x);

@@ -89,7 +89,7 @@ struct MappingFigures {
 double objective_with_weight(const MappingResult& mapped, std::size_t frame,
                              double change_of_weight) {
   double squares = 0;
-  for (const double error : mapped.tip_error.row(static_cast<Eigen::Index>(frame))) {
+  for (const double error : mapped.tip_error.row(frame)) {
     if (std::isfinite(error)) squares += error * error;
   }
   return mapped.objective[frame] + change_of_weight * squares;
@@ -116,8 +116,7 @@ MappingFigures figures_of(const MappingStudyOptions& options, const VariantResul
         ++figures.goals;
         if (!best[k]->goals.reachable(f, tip)) continue;
         ++figures.reachable;
-        figures.tips.push_back(
-            mapped.tip_error(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(tip)));
+        figures.tips.push_back(mapped.tip_error(f, tip));
       }
     }
     if (mapped.objective.empty()) continue;

@@ -74,15 +74,14 @@ scene::ConfiguredObject sphere_at_elbow(ObstacleSite& site) {
   }
   const std::vector<Pose> frames = site.frames_at(site.uniform(0.3, 0.7));
   const double away = arm + kRadius_m - site.uniform(0.005, 0.025);
-  return make_obstacle(
-      "sphere", {kRadius_m},
-      frames[static_cast<std::size_t>(elbow)].translation() + away * site.level_direction());
+  return make_obstacle("sphere", {kRadius_m},
+                       frames[elbow].translation() + away * site.level_direction());
 }
 
 scene::ConfiguredObject post_in_reach(ObstacleSite& site) {
   constexpr double kRadius_m = 0.015, kLength_m = 0.3;
   const std::vector<Pose> frames = site.frames_at(site.grasp_share() * site.uniform(0.35, 0.65));
-  const Vec3 palm = frames[static_cast<std::size_t>(site.robot.palm_frame)].translation();
+  const Vec3 palm = frames[site.robot.palm_frame].translation();
   const Vec3 aside = site.uniform(0, 0.04) * site.level_direction();
   return make_obstacle("cylinder", {kRadius_m, kLength_m},
                        palm + aside + Vec3(0, 0, site.uniform(-0.1, 0.05)));
@@ -104,7 +103,7 @@ scene::ConfiguredObject board_above_target(ObstacleSite& site, const SceneObject
   double top = -std::numeric_limits<double>::infinity();
   for (const RobotModel::Capsule& capsule : site.robot.capsules) {
     if (!robot::is_in_subtree(site.robot, capsule.frame, site.robot.palm_frame)) continue;
-    const Pose& pose = frames[static_cast<std::size_t>(capsule.frame)];
+    const Pose& pose = frames[capsule.frame];
     for (const Vec3& end : {capsule.from, capsule.to})
       top = std::max(top, (pose * end).z() + capsule.radius);
   }
@@ -137,7 +136,7 @@ bool blocks_path(ObstacleSite& site, const scene::ConfiguredObject& obstacle) {
   collision::CollisionScratch scratch;
   const JointRows& rows = site.plan.path.position;
   const auto free = [&](Eigen::Index row) {
-    const double time_s = site.plan.path.demonstration_time[static_cast<std::size_t>(row)];
+    const double time_s = site.plan.path.demonstration_time[row];
     std::vector<collision::PairSeparation> near;
     collision::near_pairs(world, rows.row(row).transpose(), time_s, 0, scratch, near);
     return std::ranges::none_of(

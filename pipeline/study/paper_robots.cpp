@@ -17,7 +17,7 @@ Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
   Pose shoulder_from_base = Pose::Identity();
   shoulder_from_base.rotate(Eigen::AngleAxisd(105 * kRadPerDegree, Vec3::UnitY()));
   shoulder_from_base.rotate(Eigen::AngleAxisd(90 * kRadPerDegree, Vec3::UnitZ()));
-  const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  const JointVector zero = JointVector::Zero(robot.joints());
   shoulder_from_base.translation() =
       offset - shoulder_from_base.linear() * arm_chain_of(robot, zero).front();
   return shoulder_from_base.inverse();
@@ -27,7 +27,7 @@ Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
 /// directions of the human's: the same poses for an arm of the robot's lengths, which it can meet.
 std::vector<HumanPoses> scaled_to_robot(const robot::Robot& robot,
                                         const std::vector<HumanPoses>& series) {
-  const JointVector zero = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  const JointVector zero = JointVector::Zero(robot.joints());
   const std::vector<Vec3> chain = arm_chain_of(robot, zero);
   std::vector<HumanPoses> result = series;
   for (HumanPoses& poses : result) {

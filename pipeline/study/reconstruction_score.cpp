@@ -27,7 +27,7 @@ class Truth {
     const std::vector<double>& time = bodies_.time;
     if (time.size() < 2 || time_s < time.front() || time_s > time.back()) return false;
     const auto above = std::upper_bound(time.begin() + 1, time.end() - 1, time_s);
-    row_ = static_cast<std::size_t>(above - time.begin()) - 1;
+    row_ = (above - time.begin()) - 1;
     share_ = (time_s - time[row_]) / (time[row_ + 1] - time[row_]);
     return true;
   }
@@ -67,8 +67,7 @@ void compare_angles(const JointRows& rebuilt, std::size_t row, const Truth& trut
                     std::size_t first, MeanSquare& score) {
   if (static_cast<Eigen::Index>(row) >= rebuilt.rows()) return;
   for (Eigen::Index j = 0; j < rebuilt.cols(); ++j) {
-    score.add(rebuilt(static_cast<Eigen::Index>(row), j) -
-              truth.angle(first + static_cast<std::size_t>(j)));
+    score.add(rebuilt(row, j) - truth.angle(first + j));
   }
 }
 
@@ -134,9 +133,7 @@ double estimate_delay_s(const std::vector<double>& signal, const std::vector<dou
     return sum / static_cast<double>(n);
   };
   const double signal_mean = mean(signal), reference_mean = mean(reference);
-  const auto at = [](const std::vector<double>& v, std::ptrdiff_t i) {
-    return v[static_cast<std::size_t>(i)];
-  };
+  const auto at = [](const std::vector<double>& v, std::ptrdiff_t i) { return v[i]; };
   std::vector<double> correlation;
   for (std::ptrdiff_t lag = -most; lag <= most; ++lag) {
     double product = 0;

@@ -42,7 +42,7 @@ void add_sines(math::RandomStream& random, JointPath& path) {
       const double begin = random.uniform(0, kFullTurn_rad);
       const double rate = kFullTurn_rad * wave * random.uniform(0.3, 1) / std::max(0.6, duration_s);
       for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
-        const double t = path.demonstration_time[static_cast<std::size_t>(i)];
+        const double t = path.demonstration_time[i];
         path.position(i, k) += amplitude * std::sin(begin + rate * t);
       }
     }
@@ -62,7 +62,7 @@ void add_reversals(math::RandomStream& random, JointPath& path) {
     if (random.bernoulli(0.5)) continue;
     const double amplitude = random.uniform(0.01, 0.3), period = random.uniform(0.2, 1);
     for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
-      const double t = path.demonstration_time[static_cast<std::size_t>(i)] / period;
+      const double t = path.demonstration_time[i] / period;
       path.position(i, k) += amplitude * std::abs(2 * (t - std::floor(t)) - 1);
     }
   }
@@ -77,8 +77,7 @@ void repeat_waypoint(math::RandomStream& random, JointPath& path, bool same_time
   for (Eigen::Index i = from + 1; i < to; ++i) {
     path.position.row(i) = path.position.row(from);
     if (!same_time) continue;
-    path.demonstration_time[static_cast<std::size_t>(i)] =
-        path.demonstration_time[static_cast<std::size_t>(from)];
+    path.demonstration_time[i] = path.demonstration_time[from];
   }
 }
 
@@ -86,7 +85,7 @@ RandomPath begin_path(math::RandomStream& random, int joints, int waypoints, dou
   RandomPath out;
   out.robot = random_robot(random, joints);
   out.path.position = JointRows::Zero(waypoints, joints);
-  out.path.origin.assign(static_cast<std::size_t>(waypoints), SampleOrigin::mapped);
+  out.path.origin.assign(waypoints, SampleOrigin::mapped);
   for (int i = 0; i < waypoints; ++i) {
     out.path.demonstration_time.push_back(duration_s * i / std::max(1, waypoints - 1));
   }
@@ -129,8 +128,8 @@ RandomPath sample_path(math::RandomStream random, const PathSizes& most) {
   if (random.bernoulli(0.2)) {
     const auto from = static_cast<std::size_t>(random.uniform(0, 0.7) * waypoints);
     const auto to = from + static_cast<std::size_t>(0.3 * waypoints);
-    std::fill(path.origin.begin() + static_cast<std::ptrdiff_t>(from),
-              path.origin.begin() + static_cast<std::ptrdiff_t>(to), SampleOrigin::planned);
+    std::fill(path.origin.begin() + from, path.origin.begin() + static_cast<std::ptrdiff_t>(to),
+              SampleOrigin::planned);
   }
   if (random.bernoulli(0.15)) out.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
   set_range(out, random.bernoulli(0.3) ? 0 : 0.5);
@@ -167,7 +166,7 @@ LimitUsage measure_limit_usage(const RobotModel& robot, const Trajectory& t) {
   seen.at_rest = last > 0 && t.velocity.row(0).isZero(0) && t.velocity.row(last).isZero(0) &&
                  t.acceleration.row(0).isZero(0) && t.acceleration.row(last).isZero(0);
   for (Eigen::Index i = 0; i < last; ++i) {
-    const double h = t.time[static_cast<std::size_t>(i + 1)] - t.time[static_cast<std::size_t>(i)];
+    const double h = t.time[i + 1] - t.time[i];
     seen.time_increases = seen.time_increases && h > 0;
     for (Eigen::Index k = 0; k < t.position.cols(); ++k) {
       // The offsets are relative to the second-order Taylor step: p = p0 + v0 s + a0 s^2 / 2 + b

@@ -52,7 +52,7 @@ retime::ConstrainedPath paced_path_without_jerk(const RobotModel& robot, const J
 
 double reference_least_time_s(const retime::ConstrainedPath& course, int steps) {
   const double h = course.spline.duration_s / steps;
-  std::vector<JointRows> q(static_cast<std::size_t>(steps) + 1);
+  std::vector<JointRows> q(steps + 1);
   for (std::size_t i = 0; i < q.size(); ++i) {
     math::evaluate(course.spline, h * static_cast<double>(i), q[i]);
   }

@@ -27,8 +27,8 @@ JointVector position_at(const Trajectory& t, double time_s) {
   const auto after = std::upper_bound(t.time.begin(), t.time.end(), time_s);
   const auto last = static_cast<Eigen::Index>(t.samples()) - 1;
   const Eigen::Index i = std::clamp<Eigen::Index>(after - t.time.begin() - 1, 0, last - 1);
-  const double begin_s = t.time[static_cast<std::size_t>(i)];
-  const double h = t.time[static_cast<std::size_t>(i) + 1] - begin_s;
+  const double begin_s = t.time[i];
+  const double h = t.time[i + 1] - begin_s;
   const double z = std::clamp((time_s - begin_s) / h, 0.0, 1.0);
   const double back = 1 - z;
   return (back * back * (1 + 2 * z) * t.position.row(i) +

@@ -76,7 +76,7 @@ ArmSample arm_sample(const Subject& subject, const ArmState& state) {
       human::fit_arm_angles({shoulder, elbow, wrist, neutral_hand(elbow - shoulder, wrist - elbow)})
           .angles;
   for (int k = 0; k < 3; ++k) {
-    arm.angles[static_cast<std::size_t>(4 + k)] = state[kPronation + k];
+    arm.angles[4 + k] = state[kPronation + k];
   }
   arm.pose = human::arm_pose(shoulder, subject.body.arm, arm.angles);
   return arm;

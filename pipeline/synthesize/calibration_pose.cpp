@@ -16,8 +16,7 @@ std::array<Vec3, 3> knuckles(const RobotModel& hand) {
   constexpr const char* kNames[] = {"index_mcp", "middle_mcp", "little_mcp"};
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto frame = std::ranges::find(hand.frames, kNames[k], &RobotModel::Frame::name);
-    points[k] =
-        hand_from_frame[static_cast<std::size_t>(frame - hand.frames.begin())].translation();
+    points[k] = hand_from_frame[frame - hand.frames.begin()].translation();
   }
   return points;
 }

@@ -39,15 +39,14 @@ std::size_t sample_at(const MotionSamples& samples, double time_s) {
 Span span_of(const MotionSamples& samples, const std::vector<double>& speed, std::size_t first,
              std::size_t last) {
   const auto begin = speed.begin();
-  const auto peak = std::max_element(begin + static_cast<std::ptrdiff_t>(first),
-                                     begin + static_cast<std::ptrdiff_t>(last) + 1);
+  const auto peak = std::max_element(begin + first, begin + last + 1);
   const double level = kBoundarySpeedShare * *peak;
   std::size_t i = first, k = last;
   while (speed[i] < level) ++i;
   while (speed[k] < level) --k;
   return {i > first ? crossing_time(samples, speed, i, level) : samples.time(i),
           k < last ? crossing_time(samples, speed, k + 1, level) : samples.time(k),
-          samples.time(static_cast<std::size_t>(peak - begin))};
+          samples.time(peak - begin)};
 }
 
 /// Returns one interval for each segment of motion of each movement, in order.
@@ -62,11 +61,9 @@ std::vector<Span> spans_of(const Script& script, const MotionSamples& samples) {
   for (std::size_t b = 0; b < bouts.size(); ++b) {
     std::size_t last = samples.size() - 1;
     if (b + 1 < bouts.size()) {
-      const auto from =
-          speed.begin() + static_cast<std::ptrdiff_t>(sample_at(samples, bouts[b].end_s));
-      const auto to =
-          speed.begin() + static_cast<std::ptrdiff_t>(sample_at(samples, bouts[b + 1].begin_s));
-      last = static_cast<std::size_t>(std::min_element(from, to + 1) - speed.begin());
+      const auto from = speed.begin() + sample_at(samples, bouts[b].end_s);
+      const auto to = speed.begin() + sample_at(samples, bouts[b + 1].begin_s);
+      last = std::min_element(from, to + 1) - speed.begin();
     }
     spans.push_back(span_of(samples, speed, first, last));
     first = last;
@@ -78,8 +75,7 @@ double preshape_begin(const MotionSamples& samples, const Span& reach) {
   const std::size_t first = sample_at(samples, reach.begin_s);
   const std::size_t last = sample_at(samples, reach.end_s);
   const std::vector<double>& opening = samples.aperture;
-  const double widest = *std::max_element(opening.begin() + static_cast<std::ptrdiff_t>(first),
-                                          opening.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+  const double widest = *std::max_element(opening.begin() + first, opening.begin() + last + 1);
   const double level = opening[first] + kPreshapeApertureShare * (widest - opening[first]);
   std::size_t i = first;
   while (opening[i] < level) ++i;

@@ -39,7 +39,7 @@ void apply_dropouts(const SyntheticGlove& options, math::RandomStream& random, H
   const std::vector<bool> lost = draw_dropouts(glove.time.size(), options.rate_hz,
                                                options.dropout_share, options.dropout_s, random);
   for (std::size_t i = 0; i < lost.size(); ++i) {
-    if (lost[i]) glove.angles.row(static_cast<Eigen::Index>(i)).setConstant(kUnknown);
+    if (lost[i]) glove.angles.row(i).setConstant(kUnknown);
   }
 }
 

@@ -29,7 +29,7 @@ Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& pa
   angles.joints.assign(std::begin(kArmAngleNames), std::end(kArmAngleNames));
   angles.joints.insert(angles.joints.end(), std::begin(kHandAngleNames), std::end(kHandAngleNames));
   angles.joints.emplace_back("palm_arch");
-  angles.angles.resize(static_cast<Eigen::Index>(part.count()), kArm + kHandStateSize);
+  angles.angles.resize(part.count(), kArm + kHandStateSize);
   HandStream& hand = streams.hand.emplace();
   hand.kind = HandKind::fingertips;
   hand.position = Array2D<Vec3>(part.count(), kFingerCount, Vec3::Zero());
@@ -41,9 +41,9 @@ Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& pa
     joints.position(i, 1) = pose.elbow;
     joints.position(i, 2) = pose.wrist;
     joints.orientation(i, 2) = pose.world_from_hand;
-    auto row = angles.angles.row(static_cast<Eigen::Index>(i));
+    auto row = angles.angles.row(i);
     for (Eigen::Index j = 0; j < kArm; ++j) {
-      row[j] = samples.arm[k].angles[static_cast<std::size_t>(j)];
+      row[j] = samples.arm[k].angles[j];
     }
     row.tail<kHandStateSize>() = samples.hand[k].transpose();
     for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
@@ -65,8 +65,8 @@ Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
                          const SensorMounts& mounts, const GloveBias& bias, double clock_offset_s,
                          math::RandomStream& random) {
   Streams streams;
-  const auto first = samples.arm.begin() + static_cast<std::ptrdiff_t>(part.first);
-  const std::vector<ArmSample> arm(first, first + static_cast<std::ptrdiff_t>(part.count()));
+  const auto first = samples.arm.begin() + part.first;
+  const std::vector<ArmSample> arm(first, first + part.count());
   streams.sensors = simulate_sensors(options.sensors, mounts, arm, random);
   const double begin_s = samples.time(part.first);
   streams.hand = simulate_glove(

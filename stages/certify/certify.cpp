@@ -33,8 +33,7 @@ std::string limit_violation(const RobotModel& robot, const Trajectory& trajector
                             const math::LimitReport& report) {
   const auto sentence = [&](const char* what, int sample, int joint, const std::string& value) {
     return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", what,
-                       robot.joint_names[static_cast<std::size_t>(joint)], value, sample,
-                       trajectory.time[static_cast<std::size_t>(sample)]);
+                       robot.joint_names[joint], value, sample, trajectory.time[sample]);
   };
   if (!(report.position_margin >= 0)) {
     return sentence("position", report.margin_sample, report.margin_joint,
@@ -60,7 +59,7 @@ void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajecto
                     collision::CollisionScratch& scratch) {
   trajectory.clearance.resize(trajectory.samples());
   for (std::size_t i = 0; i < trajectory.samples(); ++i) {
-    const JointVector q = trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    const JointVector q = trajectory.position.row(i).transpose();
     trajectory.clearance[i] =
         nan_if_infinite(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
   }
@@ -88,16 +87,15 @@ std::string tracking_violation(const RobotModel& robot, const Trajectory& trajec
   if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
   const auto sample = static_cast<std::size_t>(errors.worst_sample);
   return fmt::format("{} is {:.2f} mm from its goal at sample {} ({:.3f} s); allowed: {:.2f} mm",
-                     robot.tips[static_cast<std::size_t>(errors.worst_tip)].name,
-                     1e3 * errors.worst_error, sample, trajectory.time[sample],
-                     1e3 * errors.worst_tolerance);
+                     robot.tips[errors.worst_tip].name, 1e3 * errors.worst_error, sample,
+                     trajectory.time[sample], 1e3 * errors.worst_tolerance);
 }
 
 std::string tracking_violation(const RobotModel& robot, const InterSampleTipError& between) {
   if (!(between.excess > 0)) return "";
   return fmt::format("{} is {:.2f} mm from its goal after sample {} ({:.3f} s); allowed: {:.2f} mm",
-                     robot.tips[static_cast<std::size_t>(between.tip)].name, 1e3 * between.error,
-                     between.sample, between.time_s, 1e3 * between.tolerance);
+                     robot.tips[between.tip].name, 1e3 * between.error, between.sample,
+                     between.time_s, 1e3 * between.tolerance);
 }
 
 }  // namespace

@@ -50,9 +50,7 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
     const double time_s = trajectory.demonstration_time[sample];
     const bool grasp = is_grasping_at(movement, time_s);
     const double tolerance = tolerance_of(tolerances, grasp);
-    robot::forward_kinematics(
-        robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
-        base_from_frame);
+    robot::forward_kinematics(robot, trajectory.position.row(sample).transpose(), base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, tip);
       const Quat turned = tip_orientation_goal_at(goals, tip, time_s);
@@ -104,11 +102,11 @@ InterSampleTipError worst_inter_sample_error(const robot::Robot& robot, const Go
     const double parts = std::ceil(step_s / kMaxCheckPeriod_s - kRoundingTolerance);
     if (parts < 2) continue;
     for (std::size_t joint = 0; joint < joints; ++joint)
-      pieces[joint] = math::quintic_piece(trajectory, sample, static_cast<Eigen::Index>(joint));
+      pieces[joint] = math::quintic_piece(trajectory, sample, joint);
     for (double part = 1; part < parts; ++part) {
       const double share = part / parts;
       for (std::size_t joint = 0; joint < joints; ++joint)
-        q[static_cast<Eigen::Index>(joint)] = math::value_at(pieces[joint], share * step_s);
+        q[joint] = math::value_at(pieces[joint], share * step_s);
       robot::forward_kinematics(robot, q, base_from_frame);
       const double time_s = std::lerp(trajectory.demonstration_time[sample],
                                       trajectory.demonstration_time[sample + 1], share);

@@ -15,7 +15,7 @@ int tip_of_finger(const RobotModel& robot, int finger) {
 }
 
 JointVector posture_at(const Trajectory& trajectory, std::size_t sample) {
-  return trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose();
+  return trajectory.position.row(sample).transpose();
 }
 
 JointVector widest_posture(const RobotModel& robot, const Trajectory& trajectory,
@@ -27,7 +27,7 @@ JointVector widest_posture(const RobotModel& robot, const Trajectory& trajectory
   for (std::size_t i = 0; thumb >= 0 && index >= 0 && i <= grasp_sample; ++i) {
     robot::forward_kinematics(robot, posture_at(trajectory, i), base_from_frame);
     const auto place = [&](int tip) -> Vec3 {
-      return robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(tip)).translation();
+      return robot::tip_pose(robot, base_from_frame, tip).translation();
     };
     const double opening_m = (place(thumb) - place(index)).norm();
     if (opening_m <= most_m) continue;
@@ -43,7 +43,7 @@ Vec3 approach_direction(const RobotModel& robot, const Trajectory& trajectory, s
   std::vector<Pose> base_from_frame;
   const auto palm_at = [&](std::size_t i) -> Vec3 {
     robot::forward_kinematics(robot, posture_at(trajectory, i), base_from_frame);
-    return base_from_frame[static_cast<std::size_t>(robot.palm_frame)].translation();
+    return base_from_frame[robot.palm_frame].translation();
   };
   const Vec3 there = palm_at(sample);
   for (std::size_t i = sample; i-- > 0;) {
@@ -73,8 +73,7 @@ Grasp find_grasp(const RobotModel& robot, const Scene& scene, const Movement& mo
   const Pose object_from_base = grasp.base_from_object.inverse();
   std::vector<Pose> base_from_frame;
   robot::forward_kinematics(robot, grasp.grasp_posture, base_from_frame);
-  grasp.object_from_palm =
-      object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+  grasp.object_from_palm = object_from_base * base_from_frame[robot.palm_frame];
   grasp.approach_direction =
       object_from_base.linear() * approach_direction(robot, trajectory, sample);
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {

@@ -42,9 +42,7 @@ struct Walk {
   std::vector<collision::MotionCheck> failing;
 
   std::size_t samples() const { return path.demonstration_time.size(); }
-  JointVector position(std::size_t sample) const {
-    return path.position.row(static_cast<Eigen::Index>(sample));
-  }
+  JointVector position(std::size_t sample) const { return path.position.row(sample); }
   double time_s(std::size_t sample) const { return path.demonstration_time[sample]; }
 
   void check_certified(FindingRows& rows) {

@@ -24,7 +24,7 @@ void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& r
   for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
     for (std::size_t j = 0; j < robot.joints(); ++j) {
       const auto joint = static_cast<Eigen::Index>(j);
-      const double q = path.position(static_cast<Eigen::Index>(k), joint);
+      const double q = path.position(k, joint);
       const double beyond = std::isnan(q)
                                 ? std::numeric_limits<double>::infinity()
                                 : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
@@ -44,7 +44,7 @@ void check_tracking(const robot::Robot& robot, const Goals& goals, const Movemen
     const double allowed_m = counts_as_grasp(movement, path.demonstration_time, k)
                                  ? tolerances.tracking_tolerance_grasp
                                  : tolerances.tracking_tolerance;
-    const JointVector q = path.position.row(static_cast<Eigen::Index>(k));
+    const JointVector q = path.position.row(k);
     robot::forward_kinematics(robot, q, base_from_frame);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const Vec3 goal = tip_goal_at(goals, tip, time_s);
@@ -83,7 +83,7 @@ void check_jumps(const RobotModel& robot, const JointPath& path, double jump_thr
     return k < path.origin.size() && path.origin[k] == SampleOrigin::planned;
   };
   for (std::size_t j = 0; j < robot.joints(); ++j) {
-    const std::vector<double> steps = steps_of(path, static_cast<Eigen::Index>(j));
+    const std::vector<double> steps = steps_of(path, j);
     const double most =
         jump_threshold * (robot::is_prismatic(robot, static_cast<int>(j)) ? kSlidePerRadian_m : 1);
     for (std::size_t k = 0; k < steps.size(); ++k) {

@@ -90,11 +90,11 @@ double grasp_time_s(const Plan& plan, const MotionOptions& options) {
   const double before_s =
       options.delay_s + (joined ? plan.approach.time.back() - plan.approach.time[0] : 0);
   const Trajectory& t = plan.trajectory;
-  return before_s + t.time[static_cast<std::size_t>(plan.grasp.sample)] - t.time[0];
+  return before_s + t.time[plan.grasp.sample] - t.time[0];
 }
 
 void export_grasp(Export& run, const Plan& plan, bool tables) {
-  const std::size_t sample = static_cast<std::size_t>(plan.grasp.sample);
+  const std::size_t sample = plan.grasp.sample;
   if (!has_contacts(plan) || sample >= plan.trajectory.samples()) return;
   const RobotModel& robot = run.reader.robot();
   IndexedPlan& indexed = run.index.plans.back();
@@ -200,7 +200,7 @@ std::string limit_overshoot_note(const Export& run) {
       "times the {} limit ({}, joint {}). The points are on the certified curve; without --rate "
       "they are its samples, and such a controller follows the certified curve exactly",
       run.options.motion.rate_hz, most.ratio, which, at->plan,
-      run.reader.robot().joint_names[static_cast<std::size_t>(most.joint)]);
+      run.reader.robot().joint_names[most.joint]);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ std::size_t find_joint(const RobotModel& robot, const std::string& asked, const 
     fail(asked, fmt::format("{} has no joint '{}': its joints are {}", robot.name, name,
                             fmt::join(robot.joint_names, ", ")));
   }
-  return static_cast<std::size_t>(found - robot.joint_names.begin());
+  return found - robot.joint_names.begin();
 }
 
 /// Returns the joints of NAME=FIRST..LAST.
@@ -48,7 +48,7 @@ std::vector<int> joint_range(const RobotModel& robot, const std::string& asked,
 /// frame.
 int flange_frame(const RobotModel& robot) {
   for (const int frame : robot::ancestors(robot, robot.palm_frame)) {
-    if (robot.frames[static_cast<std::size_t>(frame)].name.ends_with("flange")) return frame;
+    if (robot.frames[frame].name.ends_with("flange")) return frame;
   }
   return robot.palm_frame;
 }
@@ -78,7 +78,7 @@ JointGroup joint_group(const RobotModel& robot, const std::string& asked) {
   JointGroup group{asked.substr(0, equals), {}, {}, {}};
   group.joints = own ? joint_range(robot, asked, equals) : arm_or_hand_joints(robot, asked);
   for (const int joint : group.joints) {
-    group.names.push_back(robot.joint_names[static_cast<std::size_t>(joint)]);
+    group.names.push_back(robot.joint_names[joint]);
     group.units.push_back(robot::is_prismatic(robot, joint) ? "m" : "rad");
   }
   return group;

@@ -33,8 +33,7 @@ std::vector<double> times(double end_s, double rate_hz) {
 
 Trajectory make_trajectory(std::size_t samples, Eigen::Index joints) {
   Trajectory t;
-  for (const auto rows : kDerivativeRows)
-    (t.*rows).resize(static_cast<Eigen::Index>(samples), joints);
+  for (const auto rows : kDerivativeRows) (t.*rows).resize(samples, joints);
   return t;
 }
 
@@ -69,7 +68,7 @@ Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
         begin ? math::quintic_piece(gap, {}, duration) : math::quintic_piece({}, gap, duration);
     for (std::size_t i = 0; i < t.samples(); ++i) {
       for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
-        (t.*kDerivativeRows[order])(static_cast<Eigen::Index>(i), joint) +=
+        (t.*kDerivativeRows[order])(i, joint) +=
             math::value_at(shift, t.time[i] - t.time[0], static_cast<int>(order));
       }
     }
@@ -150,8 +149,8 @@ std::string continuity_error(const RobotModel& robot, const Trajectory& first,
     Eigen::Index joint = 0;
     const double step = (after.row(0) - before.row(before.rows() - 1)).cwiseAbs().maxCoeff(&joint);
     if (step <= kContinuityTolerance[order]) continue;
-    return fmt::format("the {} of {} jumps by {:.2g}", kWhat[order],
-                       robot.joint_names[static_cast<std::size_t>(joint)], step);
+    return fmt::format("the {} of {} jumps by {:.2g}", kWhat[order], robot.joint_names[joint],
+                       step);
   }
   return "";
 }
@@ -161,8 +160,7 @@ Trajectory concatenate(const Trajectory& first, const Trajectory& second) {
   Trajectory both = make_trajectory(before + second.samples(), first.position.cols());
   for (const auto rows : kDerivativeRows) {
     const JointRows& after = second.*rows;
-    (both.*rows).topRows(static_cast<Eigen::Index>(before)) =
-        (first.*rows).topRows(static_cast<Eigen::Index>(before));
+    (both.*rows).topRows(before) = (first.*rows).topRows(before);
     (both.*rows).bottomRows(after.rows()) = after;
   }
   for (std::size_t i = 0; i < before; ++i) {

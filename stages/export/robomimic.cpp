@@ -48,11 +48,9 @@ RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool tar
     robot::forward_kinematics(robot, t.position.row(i).transpose(), base_from_frame);
     for (Eigen::Index k = 0; k < tips; ++k) {
       tip_positions.block<1, 3>(i, 3 * k) =
-          robot::tip_pose(robot, base_from_frame, static_cast<std::size_t>(k))
-              .translation()
-              .transpose();
+          robot::tip_pose(robot, base_from_frame, k).translation().transpose();
     }
-    const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+    const Pose& palm = base_from_frame[robot.palm_frame];
     palm_position.row(i) = palm.translation().transpose();
     palm_turn.row(i) = wxyz(Quat(palm.linear()));
     // A quaternion and its negative are the same rotation; keep the sign continuous.

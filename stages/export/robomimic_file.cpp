@@ -75,7 +75,7 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
     write(obs, name, rows.topRows(count));
     write(next_obs, name, rows.bottomRows(count));
   }
-  std::vector<double> last(static_cast<std::size_t>(count), 0);
+  std::vector<double> last(count, 0);
   last.back() = 1;
   group.write("rewards", store::ArrayCodec<std::vector<double>>::encode(last));
   group.write("dones", store::ArrayCodec<std::vector<double>>::encode(last));

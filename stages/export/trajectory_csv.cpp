@@ -21,7 +21,7 @@ std::string trajectory_csv(const JointGroup& group, const Trajectory& t) {
     fmt::format_to(std::back_inserter(text), "{},{},{}", t.time[i], t.demonstration_time[i],
                    name_of(t.phase[i]));
     for (const JointRows* rows : {&t.position, &t.velocity, &t.acceleration}) {
-      for (const double value : rows->row(static_cast<Eigen::Index>(i))) {
+      for (const double value : rows->row(i)) {
         fmt::format_to(std::back_inserter(text), ",{}", value);
       }
     }

@@ -50,9 +50,8 @@ struct Probe {
     collision::update_bodies(world, q, time_s, scratch);
   }
   collision::Separation separation_from_target(int capsule) const {
-    return collision::capsule_solid(
-        scratch.bodies[static_cast<std::size_t>(capsule)],
-        collision::solid_at(world, static_cast<std::size_t>(world.target)), base_from_target);
+    return collision::capsule_solid(scratch.bodies[capsule],
+                                    collision::solid_at(world, world.target), base_from_target);
   }
   /// Returns the name of a body other than the target that is nearer to the finger than the margin;
   /// "" if there is no such body.
@@ -61,17 +60,16 @@ struct Probe {
     for (const auto& [first, second] : world.pairs) {
       if (contains(own, first) == contains(own, second)) continue;
       if (contains(ignored_capsules, first) || contains(ignored_capsules, second)) continue;
-      const auto body = [&](int c) { return scratch.bodies[static_cast<std::size_t>(c)]; };
+      const auto body = [&](int c) { return scratch.bodies[c]; };
       if (collision::capsule_capsule(body(first), body(second)).distance >= margin) continue;
       const int other = contains(own, first) ? second : first;
-      return world.robot->capsules[static_cast<std::size_t>(other)].name;
+      return world.robot->capsules[other].name;
     }
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
       if (static_cast<int>(k) == world.target) continue;
       for (const int c : own) {
-        const auto apart =
-            collision::capsule_solid(scratch.bodies[static_cast<std::size_t>(c)],
-                                     collision::solid_at(world, k), scratch.object_poses[k]);
+        const auto apart = collision::capsule_solid(
+            scratch.bodies[c], collision::solid_at(world, k), scratch.object_poses[k]);
         if (apart.distance < margin) return world.scene->objects[k].name;
       }
     }
@@ -87,7 +85,7 @@ std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, co
   const int frame = robot.tips[tip].frame;
   std::vector<Pose> base_from_frame;
   robot::forward_kinematics(robot, q, base_from_frame);
-  const Pose& pose = base_from_frame[static_cast<std::size_t>(frame)];
+  const Pose& pose = base_from_frame[frame];
   Eigen::Matrix3Xd jacobian(3, q.size());
   robot::point_jacobian(robot, base_from_frame, frame, pose * pad.centre, jacobian);
   const Eigen::RowVectorXd forwards = (pose.linear() * pad.direction).transpose() * jacobian;
@@ -131,7 +129,7 @@ std::optional<FingerClosure> close_finger(Probe& probe, double time_s, std::size
   JointVector at = abduct_finger(robot, q, tip, angle);
   std::vector<std::pair<int, double>> joints = closing_joints(robot, at, tip);
   const auto stop_before = [&](int capsule) {  // removes the joints that move the touching link
-    const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+    const int frame = robot.capsules[capsule].frame;
     return std::erase_if(joints, [&](const auto& joint) {
       return robot::joint_moves_frame(robot, joint.first, frame);
     });
@@ -209,7 +207,7 @@ FingerClosures close_fingers(const collision::CollisionWorld& world, double time
   FingerClosures closed;
   if (world.target < 0) return closed;
   const robot::Robot& robot = *world.robot;
-  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  const SceneObject& target = world.scene->objects[world.target];
   for (const std::size_t tip : tips) {
     if (robot.pads[tip].capsule < 0) continue;
     Probe probe{world, capsules_of(robot, tip), {}, recorded_pose(target, time_s), {}};
@@ -264,7 +262,7 @@ void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosur
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double share = closing_progress(when, goals.time[f]);
     if (share == 0) continue;
-    JointVector q = path.row(static_cast<Eigen::Index>(f)).transpose();
+    JointVector q = path.row(f).transpose();
     for (const FingerClosure& closing : closings) q += share * closing.turn;
     robot::forward_kinematics(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper),
                               base_from_frame);

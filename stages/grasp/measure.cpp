@@ -30,8 +30,7 @@ std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
     contact.point = target_from_base * apart.on_second;
     contact.normal = -(target_from_base.linear() * apart.normal);
     contact.signed_distance = apart.distance;
-    const Vec3 middle =
-        scratch.base_from_frame[static_cast<std::size_t>(tip.frame)].linear() * pad.direction;
+    const Vec3 middle = scratch.base_from_frame[tip.frame].linear() * pad.direction;
     contact.pad_angle = std::acos(std::clamp(-middle.dot(apart.normal), -1.0, 1.0));
     contact.confidence = touch.confidence;
     contacts.push_back(contact);

@@ -19,7 +19,7 @@ Vec3 centre_of_mass(const SceneObject& object) {
   double volume = 0, size = 0;
   Vec3 first = Vec3::Zero();
   for (const Eigen::Vector3i& corner : object.triangles) {
-    const auto at = [&](int k) { return object.vertices[static_cast<std::size_t>(corner[k])]; };
+    const auto at = [&](int k) { return object.vertices[corner[k]]; };
     const double part = at(0).dot(at(1).cross(at(2))) / 6;
     volume += part;
     first += part / 4 * (at(0) + at(1) + at(2));
@@ -152,7 +152,7 @@ closure::GraspForces grasp_forces(const ContactModel& touch, const GraspOptions&
 void evaluate_grasp(const collision::CollisionWorld& world, double time_s, const Vec3& down,
                     const GraspOptions& options, Grasp& grasp) {
   if (world.target < 0 || grasp.sample < 0 || grasp.contacts.empty()) return;
-  const SceneObject& target = world.scene->objects[static_cast<std::size_t>(world.target)];
+  const SceneObject& target = world.scene->objects[world.target];
   const Pose base_from_target = recorded_pose(target, time_s);
   const ContactModel touch = contact_model(world, target, base_from_target, options, grasp);
   GraspQuality& quality = grasp.quality;

@@ -14,9 +14,7 @@ void compute_slack_gradient(const collision::CollisionWorld& world,
                             const collision::PairSeparation& pair,
                             const std::vector<Pose>& base_from_frame, JointVector& slope) {
   const RobotModel& robot = *world.robot;
-  const auto frame_of = [&](int capsule) {
-    return robot.capsules[static_cast<std::size_t>(capsule)].frame;
-  };
+  const auto frame_of = [&](int capsule) { return robot.capsules[capsule].frame; };
   const int first = frame_of(pair.capsule),
             second = pair.other_is_object ? -1 : frame_of(pair.other);
   const int both = robot::common_ancestor(robot, first, second);  // moves both bodies alike

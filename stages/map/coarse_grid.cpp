@@ -10,12 +10,12 @@ using Eigen::Index;
 std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double step_s) {
   const std::size_t last = time.size() - 1;
   const double span_s = time.back() - time.front();
-  const auto steps = std::min<std::size_t>(
-      last, std::max<std::size_t>(4, static_cast<std::size_t>(std::lround(span_s / step_s))));
+  const auto steps =
+      std::min<std::size_t>(last, std::max<std::size_t>(4, std::lround(span_s / step_s)));
   std::vector<std::size_t> frames;
   for (std::size_t k = 0; k <= steps; ++k) {
     const double position = static_cast<double>(k * last) / static_cast<double>(steps);
-    frames.push_back(static_cast<std::size_t>(std::lround(position)));
+    frames.push_back(std::lround(position));
   }
   frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
   return frames;
@@ -35,8 +35,8 @@ MappingProblem problem_at_frames(const MappingProblem& problem,
 
 JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& frames) {
   const std::size_t origin = frames.front();
-  JointRows fine(static_cast<Index>(frames.back() - origin + 1), coarse.cols());
-  const auto row = [&](std::size_t k) { return coarse.row(static_cast<Index>(k)); };
+  JointRows fine(frames.back() - origin + 1, coarse.cols());
+  const auto row = [&](std::size_t k) { return coarse.row(k); };
   const auto slope = [&](std::size_t k) -> Eigen::RowVectorXd {
     const std::size_t before = k == 0 ? 0 : k - 1, after = std::min(k + 1, frames.size() - 1);
     return (row(after) - row(before)) / static_cast<double>(frames[after] - frames[before]);
@@ -47,17 +47,17 @@ JointRows interpolate(const JointRows& coarse, const std::vector<std::size_t>& f
     const Eigen::RowVectorXd leave = span * slope(k), arrive = span * slope(k + 1);
     for (std::size_t f = frames[k]; f <= frames[k + 1]; ++f) {
       const double u = static_cast<double>(f - frames[k]) / span, v = 1 - u;
-      fine.row(static_cast<Index>(f - origin)) = v * v * ((1 + 2 * u) * row(k) + u * leave) +
-                                                 u * u * ((1 + 2 * v) * row(k + 1) - v * arrive);
+      fine.row(f - origin) = v * v * ((1 + 2 * u) * row(k) + u * leave) +
+                             u * u * ((1 + 2 * v) * row(k + 1) - v * arrive);
     }
   }
   return fine;
 }
 
 JointRows rows_at(const JointRows& q, const std::vector<std::size_t>& frames) {
-  JointRows rows(static_cast<Index>(frames.size()), q.cols());
+  JointRows rows(frames.size(), q.cols());
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    rows.row(static_cast<Index>(k)) = q.row(static_cast<Index>(frames[k]));
+    rows.row(k) = q.row(frames[k]);
   }
   return rows;
 }

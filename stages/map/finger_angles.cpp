@@ -34,24 +34,20 @@ RobotModel extract_hand(const RobotModel& robot, std::vector<int>& joints) {
     joint = static_cast<int>(known - joints.begin());
   }
   hand.joint_names.clear();
-  hand.lower.resize(static_cast<Index>(joints.size()));
+  hand.lower.resize(joints.size());
   hand.upper.resize(hand.lower.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const int of = joints[j];
-    hand.joint_names.push_back(robot.joint_names[static_cast<std::size_t>(of)]);
-    hand.lower[static_cast<Index>(j)] = robot.lower[of];
-    hand.upper[static_cast<Index>(j)] = robot.upper[of];
+    hand.joint_names.push_back(robot.joint_names[of]);
+    hand.lower[j] = robot.lower[of];
+    hand.upper[j] = robot.upper[of];
   }
   return hand;
 }
 
-JointVector zero_posture(const RobotModel& robot) {
-  return JointVector::Zero(static_cast<Index>(robot.joints()));
-}
+JointVector zero_posture(const RobotModel& robot) { return JointVector::Zero(robot.joints()); }
 
-Vec3 origin(const std::vector<Pose>& poses, int frame) {
-  return poses[static_cast<std::size_t>(frame)].translation();
-}
+Vec3 origin(const std::vector<Pose>& poses, int frame) { return poses[frame].translation(); }
 
 /// Returns the last three distinct hinges of a finger, the knuckle first.
 std::vector<int> hinges_of(const RobotModel& robot, const std::vector<Pose>& poses,
@@ -82,15 +78,15 @@ humanlike::Chain chain_at(const RobotModel& robot, const std::vector<Pose>& pose
 
 FingerAngles::FingerAngles(const RobotModel& robot)
     : hand(extract_hand(robot, joints)),
-      robot_joints(static_cast<Index>(robot.joints())),
+      robot_joints(robot.joints()),
       human(human::human_hand(human::hand_size_of_stature(kStature_m))) {
   std::vector<Pose> poses;
   robot::forward_kinematics(hand, zero_posture(hand), poses);
-  base_from_palm = poses[static_cast<std::size_t>(hand.palm_frame)];
+  base_from_palm = poses[hand.palm_frame];
   for (std::size_t tip = 0; tip < hand.tips.size(); ++tip) {
     if (hand.tips[tip].finger < 0) continue;
     Finger finger;
-    finger.human = static_cast<std::size_t>(hand.tips[tip].finger);
+    finger.human = hand.tips[tip].finger;
     finger.curve_share = hand.tips[tip].finger_curve_share;
     finger.frames = hinges_of(hand, poses, tip);
     finger.tip = tip;
@@ -160,7 +156,7 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   for (std::size_t k = 0; k < fingers.size(); ++k) {
     if (!is_known(goals[k].back())) continue;
     for (const int joint : fingers[k].joints) {
-      angles[joints[static_cast<std::size_t>(joint)]] = warm_start[joint];
+      angles[joints[joint]] = warm_start[joint];
     }
   }
   return angles;

@@ -44,7 +44,7 @@ void by_value(std::vector<solve::Minimum>& minima) {
 
 void resize_at_most(std::vector<solve::Minimum>& minima, int count) {
   if (minima.size() > static_cast<std::size_t>(count)) {
-    minima.resize(static_cast<std::size_t>(count));
+    minima.resize(count);
   }
 }
 

@@ -20,10 +20,10 @@ struct ViterbiTable {
 Eigen::MatrixXd branch_costs(const std::vector<IkBranch>& ways,
                              const std::array<JointVector, 3>& difference_weight) {
   const Index frames = ways.front().q.rows();
-  Eigen::MatrixXd cost(frames, static_cast<Index>(ways.size()));
+  Eigen::MatrixXd cost(frames, ways.size());
   for (std::size_t w = 0; w < ways.size(); ++w) {
     JointRows difference = ways[w].q;
-    auto column = cost.col(static_cast<Index>(w));
+    auto column = cost.col(w);
     column = Eigen::Map<const Eigen::VectorXd>(ways[w].frame_cost.data(), frames);
     for (std::size_t order = 0; order < 3 && difference.rows() > 1; ++order) {
       const Index rows = difference.rows() - 1;
@@ -46,10 +46,10 @@ ViterbiTable viterbi_pass(const std::vector<IkBranch>& ways, const Eigen::Matrix
     for (Index to = 0; to < count; ++to) {
       double least = table.cost(before, to);
       table.from(here, to) = static_cast<int>(to);
-      const auto& own = ways[static_cast<std::size_t>(to)].q;
+      const auto& own = ways[to].q;
       for (Index from = 0; from < count; ++from) {
         if (table.cost(before, from) >= least) continue;
-        const auto& other = ways[static_cast<std::size_t>(from)].q;
+        const auto& other = ways[from].q;
         const double step =
             (own.row(step_at) - other.row(step_at)).cwiseAbs2().dot(step_weight.transpose());
         if (table.cost(before, from) + step >= least) continue;
@@ -85,15 +85,13 @@ std::vector<JointRows> join_ik_branches(const std::vector<IkBranch>& ways,
   for (const std::size_t w : order) {
     JointRows sequence(cost.rows(), ways[w].q.cols());
     const auto key = static_cast<Index>(ways[w].key_frame);
-    const auto row_of = [&](Index f, Index way) {
-      return ways[static_cast<std::size_t>(way)].q.row(f);
-    };
+    const auto row_of = [&](Index f, Index way) { return ways[way].q.row(f); };
     auto branch = static_cast<Index>(w);
     for (Index f = key; f >= 0; --f) {
       sequence.row(f) = row_of(f, branch);
       branch = ahead.from(f, branch);
     }
-    branch = static_cast<Index>(w);
+    branch = w;
     for (Index f = key; f < cost.rows(); ++f) {
       sequence.row(f) = row_of(f, branch);
       branch = back.from(f, branch);

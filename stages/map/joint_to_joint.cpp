@@ -43,7 +43,7 @@ std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot
                                                        const std::vector<double>& angle_time,
                                                        Goals& goals) {
   std::vector<Pose> poses;
-  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Index>(robot.joints())), poses);
+  robot::forward_kinematics(robot, JointVector::Zero(robot.joints()), poses);
   const humanlike::Chain arm = humanlike::arm_chain(robot, poses).joints;
   FingerAngles finger_angles(robot);
   std::vector<humanlike::FrameGoal> frames;
@@ -56,7 +56,7 @@ std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot
       goal.chain = humanlike::match_link_directions(
           {goals.shoulder_position[f], goals.elbow_position[f], goals.wrist_position[f]}, arm);
     }
-    goal.angles = JointVector::Constant(static_cast<Index>(robot.joints()), kUnknown);
+    goal.angles = JointVector::Constant(robot.joints(), kUnknown);
     const auto row =
         std::lower_bound(angle_time.begin(), angle_time.end(), goals.time[f]) - angle_time.begin();
     if (row < angles.rows()) goal.angles = finger_angles(angles.row(row).transpose());

@@ -83,7 +83,7 @@ double posture_error(const MappingProblem& problem, const Goals& goals, const Jo
   int count = 0;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const double error = problem.objective.get<humanlike::NaturalPosture>().distance(
-        q.row(static_cast<Index>(f)).transpose(), humanlike::frame_goal(goals, f));
+        q.row(f).transpose(), humanlike::frame_goal(goals, f));
     if (std::isnan(error)) continue;
     sum += error * error;
     ++count;

@@ -26,17 +26,14 @@ IkBranch track_branch(const MappingProblem& problem, std::size_t key, const Join
   options = limit_evaluations(options, kMaxTrackingEvaluations);
   options.relative_tolerance = std::max(options.relative_tolerance, 1e-5);
   const double share = mean_step(problem.time) / kReferenceStep_s;
-  IkBranch way{key, JointRows(static_cast<Index>(problem.frames()), q.size()),
-               std::vector<double>(problem.frames())};
+  IkBranch way{key, JointRows(problem.frames(), q.size()), std::vector<double>(problem.frames())};
   const auto solve = [&](std::size_t frame, const JointVector& start) {
     const solve::Minimum found = solve_frame(problem, frame, start, options, scratch);
-    way.q.row(static_cast<Index>(frame)) = found.x.transpose();
+    way.q.row(frame) = found.x.transpose();
     way.frame_cost[frame] = share * found.value;
   };
   solve(key, q);
-  const auto near = [&](std::size_t frame) -> JointVector {
-    return way.q.row(static_cast<Index>(frame)).transpose();
-  };
+  const auto near = [&](std::size_t frame) -> JointVector { return way.q.row(frame).transpose(); };
   for (std::size_t f = key; f + 1 < problem.frames(); ++f) solve(f + 1, near(f));
   for (std::size_t f = key; f > 0; --f) solve(f - 1, near(f));
   return way;
@@ -137,7 +134,7 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   std::vector<bool> stopped;  // by a limit that an equivalent posture may not reach
   const auto on_known_way = [&](std::size_t key, const JointVector& q) {
     for (std::size_t w = 0; w < ways.size(); ++w) {
-      const JointVector passed = ways[w].q.row(static_cast<Index>(key)).transpose();
+      const JointVector passed = ways[w].q.row(key).transpose();
       const bool same = stopped[w] ? (passed - q).cwiseAbs().maxCoeff() < kBasinTolerance_rad
                                    : same_up_to_symmetry(twins, passed, q, kBasinTolerance_rad);
       if (same) return true;
@@ -150,7 +147,7 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
     const auto key = static_cast<std::size_t>(std::lround(position));
     for (const solve::Minimum& start : search_frame(
              coarse, key, options.starts, options.candidates, quick_stages(options.frame_solver),
-             math::seed_from(seed, "key frame", static_cast<std::size_t>(k)), scratch)) {
+             math::seed_from(seed, "key frame", k), scratch)) {
       for (const JointVector& twin : first_equivalent_postures(twins, start.x)) {
         if (on_known_way(key, twin)) continue;
         ways.push_back(track_branch(coarse, key, twin, options.frame_solver, scratch));
@@ -162,7 +159,7 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   std::vector<JointRows> sequences = join_ik_branches(
       ways, difference_weights(*problem.robot, coarse.time, options.movement_cost));
   if (sequences.size() > static_cast<std::size_t>(options.candidates)) {
-    sequences.resize(static_cast<std::size_t>(options.candidates));
+    sequences.resize(options.candidates);
   }
   std::vector<CandidatePath> paths;
   for (const JointRows& sequence : sequences) {

@@ -44,9 +44,8 @@ Eigen::Matrix3d rotation_of(const PlacementOptions& options) {
 
 Vec3 robot_shoulder(const RobotModel& robot) {
   std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                            base_from_frame);
-  return base_from_frame[static_cast<std::size_t>(robot.shoulder_frame)].translation();
+  robot::forward_kinematics(robot, JointVector::Zero(robot.joints()), base_from_frame);
+  return base_from_frame[robot.shoulder_frame].translation();
 }
 
 Pose place_robot(const RobotModel& robot, const Vec3& human_shoulder,
@@ -71,12 +70,11 @@ bool is_hand_only(const RobotModel& robot) {
 
 Pose place_hand(const RobotModel& robot, const PlacementOptions& options) {
   std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())),
-                            base_from_frame);
+  robot::forward_kinematics(robot, JointVector::Zero(robot.joints()), base_from_frame);
   Pose hand_from_palm = Pose::Identity();
   hand_from_palm.linear() = rotation_of(options);
   hand_from_palm.translation() = options.shoulder_offset;
-  return hand_from_palm * base_from_frame[static_cast<std::size_t>(robot.palm_frame)].inverse();
+  return hand_from_palm * base_from_frame[robot.palm_frame].inverse();
 }
 
 Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement) {

@@ -37,7 +37,7 @@ std::vector<JointVector> flip_combinations(const PostureSymmetries& twins, const
 
 /// Returns the nearest frame before `frame` with a joint of its own; -1 if there is no such frame.
 int previous_joint_frame(const RobotModel& robot, int frame) {
-  const int before = robot.frames[static_cast<std::size_t>(frame)].parent;
+  const int before = robot.frames[frame].parent;
   for (const int f : robot::ancestors(robot, before)) {
     if (robot::joint_of(robot, f) >= 0) return f;
   }
@@ -55,7 +55,7 @@ std::vector<PostureSymmetries::SphericalFlip> possible_flips(const RobotModel& r
   };
   std::vector<PostureSymmetries::SphericalFlip> flips;
   for (int last = 0; last < static_cast<int>(robot.frames.size()); ++last) {
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(last)];
+    const RobotModel::Frame& frame = robot.frames[last];
     const int middle = frame.joint < 0 ? -1 : previous_joint_frame(robot, last);
     const int first = middle < 0 ? -1 : previous_joint_frame(robot, middle);
     if (first < 0) continue;
@@ -64,10 +64,9 @@ std::vector<PostureSymmetries::SphericalFlip> possible_flips(const RobotModel& r
     if (std::abs(a.dot(b)) > kOrthogonalityTolerance ||
         std::abs(c.dot(b)) > kOrthogonalityTolerance)
       continue;
-    const RobotModel::Frame& hinge = robot.frames[static_cast<std::size_t>(middle)];
+    const RobotModel::Frame& hinge = robot.frames[middle];
     const double turn = std::atan2(b.dot(c.cross(a)), c.dot(a));  // angle that turns c to a about b
-    flips.push_back({robot.frames[static_cast<std::size_t>(first)].joint, hinge.joint, frame.joint,
-                     turn / hinge.ratio});
+    flips.push_back({robot.frames[first].joint, hinge.joint, frame.joint, turn / hinge.ratio});
   }
   return flips;
 }

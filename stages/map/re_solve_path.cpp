@@ -50,14 +50,14 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   movement.frame_model = [&](std::size_t k, const JointVector& q, solve::Quadratic& model) {
     own_model(k, q, model);
     if (moves(frames[k])) return;
-    const JointVector away = q - before.row(static_cast<Index>(k)).transpose();
+    const JointVector away = q - before.row(k).transpose();
     model.value += kHoldWeight_per_rad2 * away.squaredNorm();
     model.gradient += 2 * kHoldWeight_per_rad2 * away;
     model.hessian.diagonal().array() += 2 * kHoldWeight_per_rad2;
   };
   JointRows start = before;
   for (std::size_t k = 0; k < frames.size() && change.rows() > 0; ++k) {
-    if (moves(frames[k])) start.row(static_cast<Index>(k)) += change.row(static_cast<Index>(k));
+    if (moves(frames[k])) start.row(k) += change.row(k);
   }
   return solve::minimise_movement(movement, start, options).q;
 }

@@ -167,7 +167,7 @@ std::vector<bool> reachable_frames(const MappingProblem& problem, const JointRow
                                    const ReachOptions& options, std::uint64_t seed) {
   ReachabilitySearch judge(problem, options, seed);
   const auto near_at = [&](std::size_t frame) -> JointVector {
-    return near.row(static_cast<Index>(frame)).transpose();
+    return near.row(frame).transpose();
   };
   std::vector<bool> reachable(problem.frames());
   // From a mapped posture damped least squares nearly always reaches the goals, at a fraction of

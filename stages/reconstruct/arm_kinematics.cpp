@@ -99,14 +99,14 @@ void enforce_bone_lengths(HumanMotion& motion, const std::optional<human::ArmLen
 void add_arm_angles(HumanMotion& motion) {
   constexpr double kHandLever_m = 0.1;  // [m]
   const auto frames = static_cast<Eigen::Index>(motion.time.size());
-  JointRows angles(frames, static_cast<Eigen::Index>(kArmAngleCount));
+  JointRows angles(frames, kArmAngleCount);
   RmsAccumulator missed, turned;
   for (Eigen::Index row = 0; row < frames; ++row) {
     const auto i = static_cast<std::size_t>(row);
     const human::ArmFit fit = human::fit_arm_angles(
         {motion.shoulder[i], motion.elbow[i], motion.wrist[i], motion.wrist_orientation[i]});
     for (std::size_t k = 0; k < kArmAngleCount; ++k) {
-      angles(row, static_cast<Eigen::Index>(k)) = fit.angles[k];
+      angles(row, k) = fit.angles[k];
     }
     missed.add(fit.position_error_m);
     turned.add(kHandLever_m * fit.rotation_error_rad);

@@ -24,8 +24,8 @@ CorrelationSums correlation_sums(const std::vector<PairedSignal>& signals, std::
     const auto n = static_cast<std::ptrdiff_t>(reference.size());
     double a = 0, b = 0, aa = 0, bb = 0, ab = 0, count = 0;
     for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(0, -shift); i < std::min(n, n - shift); ++i) {
-      const double x = reference[static_cast<std::size_t>(i)];
-      const double y = other[static_cast<std::size_t>(i + shift)];
+      const double x = reference[i];
+      const double y = other[i + shift];
       if (!std::isfinite(x * y)) continue;
       a += x;
       b += y;

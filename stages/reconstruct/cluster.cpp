@@ -8,7 +8,7 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr std::size_t kNoMarker = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoMarker = -1;
 
 /// Returns the pose of the body in one frame, without using the marker `left_out`.
 Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>>& tracks,

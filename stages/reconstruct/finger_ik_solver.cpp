@@ -55,8 +55,8 @@ FingerIkSolver::FingerIkSolver(RobotModel hand, double most_step)
     }
   }
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    fingers_[f].lower = hand_.lower.segment<4>(static_cast<Eigen::Index>(kJoints * f));
-    fingers_[f].upper = hand_.upper.segment<4>(static_cast<Eigen::Index>(kJoints * f));
+    fingers_[f].lower = hand_.lower.segment<4>(kJoints * f);
+    fingers_[f].upper = hand_.upper.segment<4>(kJoints * f);
     fingers_[f].tip_in_last = hand_.tips[f].transform.translation();
   }
 }
@@ -75,11 +75,11 @@ void FingerIkSolver::start(const HandKeypoints& in_hand,
 
 void FingerIkSolver::minimise(const HandKeypoints& in_hand,
                               std::array<FingerSolve, kFingerCount>& tasks) {
-  JointVector q = JointVector::Zero(static_cast<Eigen::Index>(hand_.joints()));
+  JointVector q = JointVector::Zero(hand_.joints());
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (std::ranges::all_of(tasks, [](const FingerSolve& task) { return task.done; })) return;
     for (std::size_t f = 0; f < kFingerCount; ++f) {
-      q.segment<4>(static_cast<Eigen::Index>(kJoints * f)) = tasks[f].trial;
+      q.segment<4>(kJoints * f) = tasks[f].trial;
     }
     robot::forward_kinematics(hand_, q, frames_);
     for (std::size_t f = 0; f < kFingerCount; ++f) {
@@ -91,8 +91,7 @@ void FingerIkSolver::minimise(const HandKeypoints& in_hand,
                              frames_[finger.frames[3]] * finger.tip_in_last};
       Eigen::Matrix<double, 9, 1> rest;
       for (Eigen::Index k = 0; k < 3; ++k) {
-        rest.segment<3>(3 * k) =
-            in_hand[keypoint_index(f, static_cast<std::size_t>(k) + 1)] - points[k];
+        rest.segment<3>(3 * k) = in_hand[keypoint_index(f, k + 1)] - points[k];
       }
       const double error = rest.squaredNorm() + kPosturePrior_m_per_rad * kPosturePrior_m_per_rad *
                                                     (task.trial - finger.last).squaredNorm();
@@ -102,7 +101,7 @@ void FingerIkSolver::minimise(const HandKeypoints& in_hand,
         task.residual = rest;
         task.damping = std::max(1e-12, task.damping / 10);
         for (Eigen::Index j = 0; j < 4; ++j) {
-          const std::size_t at = finger.frames[static_cast<std::size_t>(j)];
+          const std::size_t at = finger.frames[j];
           const Vec3 axis = frames_[at].linear() * hand_.frames[at].axis;
           for (Eigen::Index k = std::max<Eigen::Index>(0, j - 1); k < 3; ++k) {
             task.jacobian.block<3, 1>(3 * k, j) = axis.cross(points[k] - frames_[at].translation());
@@ -140,8 +139,7 @@ human::HandAngles FingerIkSolver::operator()(const HandKeypoints& in_hand) {
     for (std::size_t k = 1; k < 4; ++k)
       fingers_[f].was_seen &= is_known(in_hand[keypoint_index(f, k)]);
     for (std::size_t k = 0; k < kJoints; ++k) {
-      angles.joint[kJoints * f + k] =
-          fingers_[f].was_seen ? fingers_[f].last[static_cast<Eigen::Index>(k)] : kUnknown;
+      angles.joint[kJoints * f + k] = fingers_[f].was_seen ? fingers_[f].last[k] : kUnknown;
     }
   }
   return angles;

@@ -84,14 +84,13 @@ void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanM
   motion.bones = robot::hand_dimensions(flat_palm);
   std::vector<Pose> frames;
   const auto rows = static_cast<Eigen::Index>(motion.time.size());
-  motion.hand_angles.resize(rows, static_cast<Eigen::Index>(kHandAngleCount));
+  motion.hand_angles.resize(rows, kHandAngleCount);
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     human::GloveAngles angles;
     for (std::size_t k = 0; k < human::kGloveSensorCount; ++k) angles[k] = columns[k][i];
     const human::HandAngles decoded = human::decode_glove(angles).hand;
     for (std::size_t k = 0; k < kHandAngleCount; ++k) {
-      motion.hand_angles(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
-          decoded.joint[k];
+      motion.hand_angles(i, k) = decoded.joint[k];
     }
     const human::HandPoints points = human::hand_points(hand, decoded, frames);
     const Quat& world_from_hand = motion.wrist_orientation[i];

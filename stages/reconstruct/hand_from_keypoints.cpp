@@ -51,8 +51,7 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
     fitted.bones.length[finger] = bones[0] + bones[1] + bones[2];
   }
   fitted.thumb_base_estimated = shape->thumb_base_estimated;
-  fitted.angles.resize(static_cast<Eigen::Index>(frames.size()),
-                       static_cast<Eigen::Index>(kHandAngleCount));
+  fitted.angles.resize(frames.size(), kHandAngleCount);
   fitted.joints = Array2D<Vec3>(frames.size(), kHandKeypoints, unknown_point());
   fitted.tip_orientation = Array2D<Quat>(frames.size(), kFingerCount, unknown_rotation());
   ResidualAccumulator moved;
@@ -66,8 +65,8 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
     }
     const HandKeypoints joints = enforce_finger_lengths(*shape, in_hand);
     const human::HandAngles angles = fit(joints);
-    fitted.angles.row(static_cast<Eigen::Index>(i)) = Eigen::Map<const Eigen::RowVectorXd>(
-        angles.joint.data(), static_cast<Eigen::Index>(kHandAngleCount));
+    fitted.angles.row(i) =
+        Eigen::Map<const Eigen::RowVectorXd>(angles.joint.data(), kHandAngleCount);
     const human::HandPoints points = human::hand_points(hand, angles, poses);
     for (std::size_t k = 0; is_known(in_hand[0]) && k < kHandKeypoints; ++k) {
       fitted.joints(i, k) = joints[k];

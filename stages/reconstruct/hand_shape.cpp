@@ -131,7 +131,7 @@ RobotModel make_hand_model(const HandShape& shape) {
         shape.bone_lengths[finger][2] * tip.transform.translation().normalized();
     std::size_t bone = 2;
     for (int frame = tip.frame; frame >= 0;) {
-      RobotModel::Frame& here = hand.frames[static_cast<std::size_t>(frame)];
+      RobotModel::Frame& here = hand.frames[frame];
       Eigen::Vector3d step = here.transform.translation();
       if (step.norm() > 0) {
         here.transform.translation() =

@@ -9,7 +9,7 @@ namespace {
 std::optional<std::size_t> find(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - names.begin());
+  return found - names.begin();
 }
 
 }  // namespace

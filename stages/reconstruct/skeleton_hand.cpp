@@ -100,9 +100,8 @@ void estimate_tips(Digits& digits, HumanMotion& motion) {
     const double before = mean_length(middle, last);
     if (!(mean_length(last, tip) < kMinBoneLength_m) || !(before > kMinBoneLength_m)) continue;
     const RobotModel::Tip& model = usual.tips[finger];
-    const double length =
-        before * model.transform.translation().norm() /
-        usual.frames[static_cast<std::size_t>(model.frame)].transform.translation().norm();
+    const double length = before * model.transform.translation().norm() /
+                          usual.frames[model.frame].transform.translation().norm();
     const Vec3 along = mean_direction(middle, middle, last).normalized();
     for (std::size_t i = 0; i < tip.position.size(); ++i) {
       tip.position[i] = last.position[i] + length * (last.orientation[i] * along);

@@ -54,8 +54,7 @@ std::vector<Interval> intervals_of(const collision::CollisionWorld& world,
 bool plan_around(const DetourContext& around, const collision::CollisionWorld& world, int attempt,
                  CheckedPath& checked) {
   bool planned = false;
-  const std::uint64_t seed =
-      math::seed_from(around.seed, "attempt", static_cast<std::size_t>(attempt));
+  const std::uint64_t seed = math::seed_from(around.seed, "attempt", attempt);
   std::size_t number = 0;
   for (const Interval& interval : intervals_of(world, checked, attempt, around.options)) {
     const std::uint64_t own = math::seed_from(seed, "interval", number++);
@@ -69,7 +68,7 @@ PlanningFailure end_in_collision(const collision::CollisionWorld& world, const J
   collision::CollisionScratch scratch;
   for (const Eigen::Index row : {Eigen::Index{0}, last}) {
     const JointVector q = path.position.row(row);
-    const double time_s = path.demonstration_time[static_cast<std::size_t>(row)];
+    const double time_s = path.demonstration_time[row];
     const collision::PairSeparation pair = collision::least_slack(world, q, time_s, scratch);
     if (pair.slack() >= 0) continue;
     return {

@@ -29,7 +29,7 @@ void apply(TouchRule rule, double begin_s, double end_s, collision::CollisionWor
 
 /// Returns true if a capsule is fixed to the palm or to a descendant of it.
 bool in_hand(const RobotModel& robot, int capsule) {
-  const int frame = robot.capsules[static_cast<std::size_t>(capsule)].frame;
+  const int frame = robot.capsules[capsule].frame;
   return robot::is_in_subtree(robot, frame, robot.palm_frame);
 }
 

@@ -112,12 +112,10 @@ std::vector<JointVector> shortcut(const IntervalWorld& interval, std::vector<Joi
         !free(to, vertices[last_edge + 1])) {
       continue;
     }
-    std::vector<JointVector> shorter(
-        vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(first_edge) + 1);
+    std::vector<JointVector> shorter(vertices.begin(), vertices.begin() + first_edge + 1);
     if (a > 0) shorter.push_back(from);
     if (b < total) shorter.push_back(to);
-    shorter.insert(shorter.end(), vertices.begin() + static_cast<std::ptrdiff_t>(last_edge) + 1,
-                   vertices.end());
+    shorter.insert(shorter.end(), vertices.begin() + last_edge + 1, vertices.end());
     vertices = std::move(shorter);
   }
   return vertices;
@@ -128,7 +126,7 @@ JointRows resample(const RobotModel& robot, const std::vector<JointVector>& vert
   if (edges < 1 || edges > count - 1) return {};
   const std::vector<double> lengths = edge_lengths(robot, vertices);
   // Each edge starts with one step; every further step is added to the edge with the longest steps.
-  std::vector<int> steps(static_cast<std::size_t>(edges), 1);
+  std::vector<int> steps(edges, 1);
   for (int left = count - 1 - edges; left > 0; --left) {
     std::size_t longest = 0;
     for (std::size_t e = 1; e < steps.size(); ++e)

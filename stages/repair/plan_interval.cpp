@@ -20,8 +20,7 @@ bool reach_free_ends(const collision::CollisionWorld& world, const JointPath& pa
   collision::CollisionScratch scratch;
   while (true) {
     interval.untimed_world =
-        interval_world(world, times[static_cast<std::size_t>(interval.first)],
-                       times[static_cast<std::size_t>(interval.last)], extra_m, rule);
+        interval_world(world, times[interval.first], times[interval.last], extra_m, rule);
     if (!is_state_free(interval.untimed_world, path.position.row(interval.first), scratch)) {
       if (--interval.first < 0) return false;
     } else if (!is_state_free(interval.untimed_world, path.position.row(interval.last), scratch)) {
@@ -109,8 +108,7 @@ bool plan_interval(const Interval& interval, const RepairOptions& options, int a
   for (int k = 1; k + 1 < count; ++k) {
     if (planned.row(k) == original.row(k)) continue;
     path.position.row(interval.first + k) = planned.row(k);
-    path.origin[static_cast<std::size_t>(interval.first) + static_cast<std::size_t>(k)] =
-        SampleOrigin::planned;
+    path.origin[interval.first + k] = SampleOrigin::planned;
   }
   return true;
 }

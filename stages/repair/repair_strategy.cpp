@@ -32,7 +32,7 @@ PlanningFailure refusal_of(const std::vector<Finding>& remaining) {
                                 Reason::tracking};
   const Finding* worst = worst_finding(remaining);
   if (!worst) return {};
-  return {kReasons.at(static_cast<std::size_t>(order_of(worst->cause))), sentence(*worst)};
+  return {kReasons.at(order_of(worst->cause)), sentence(*worst)};
 }
 
 /// Returns the name of the body, fingertip or joint.
@@ -87,7 +87,7 @@ RepairStep make_repair_step(std::string name, const CheckedPath& from, const Str
   for (Eigen::Index row = 0; row < after.rows() && after.rows() == before.rows(); ++row) {
     const double change = (after.row(row) - before.row(row)).cwiseAbs().maxCoeff();
     if (!(change > 0)) continue;
-    const double time_s = from.path.demonstration_time[static_cast<std::size_t>(row)];
+    const double time_s = from.path.demonstration_time[row];
     if (std::isnan(step.begin_s)) step.begin_s = time_s;
     step.end_s = time_s;
     step.max_joint_change = std::max(step.max_joint_change, change);

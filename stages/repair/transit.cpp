@@ -36,7 +36,7 @@ std::vector<JointVector> find_way(const IntervalWorld& interval, const JointVect
   ConnectSpace space{robot.arm_joints, robot.lower, robot.upper};
   std::vector<JointVector> vertices;
   for (int attempt = 0; attempt < options.attempts && vertices.empty(); ++attempt) {
-    const std::uint64_t own = math::seed_from(seed, "attempt", static_cast<std::size_t>(attempt));
+    const std::uint64_t own = math::seed_from(seed, "attempt", attempt);
     for (const std::vector<int>& joints : {robot.arm_joints, all}) {
       space.joints = joints;
       if (joints.empty() || !vertices.empty()) continue;
@@ -50,7 +50,7 @@ std::vector<JointVector> find_way(const IntervalWorld& interval, const JointVect
 JointPath make_planned_path(const JointRows& rows, double time_s) {
   JointPath path;
   path.position = rows;
-  path.origin.assign(static_cast<std::size_t>(rows.rows()), SampleOrigin::planned);
+  path.origin.assign(rows.rows(), SampleOrigin::planned);
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     path.demonstration_time.push_back(time_s + kSamplePeriod_s * static_cast<double>(k));
   }
@@ -83,7 +83,7 @@ JointPath plan_transit(const collision::CollisionWorld& world, const JointVector
   for (int k = 0; k < count; ++k) {
     straight.row(k) = (from + (inside - from) * k / (count - 1.0)).transpose();
   }
-  const std::vector<double> times(static_cast<std::size_t>(count), time_s);
+  const std::vector<double> times(count, time_s);
   pull_towards_original(interval.world, times, straight, options.pull_back_attempts, random, rows);
   return make_planned_path(rows, time_s);
 }

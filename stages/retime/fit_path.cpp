@@ -143,8 +143,7 @@ math::BandedMatrix normal_of(const Rows& rows) {
   for (Eigen::Index i = 0; i < rows.roughness.size(); ++i) {
     for (std::size_t a = 0; a < 4; ++a) {
       for (std::size_t b = 0; b <= a; ++b) {
-        normal.entry(i + static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(a - b)) +=
-            rows.roughness[i] * third[a] * third[b];
+        normal.entry(i + a, a - b) += rows.roughness[i] * third[a] * third[b];
       }
     }
   }
@@ -157,7 +156,7 @@ void solve(Rows& rows, const JointRows& offset, const JointVector& lower, const 
   for (std::size_t i = 0; i < rows.weight.size(); ++i) {
     for (Eigen::Index a = 0; a < 6; ++a) {
       coefficient.row(rows.place[i].interval + a) +=
-          (rows.weight[i] * rows.basis[i][a]) * offset.row(static_cast<Eigen::Index>(i));
+          (rows.weight[i] * rows.basis[i][a]) * offset.row(i);
     }
   }
   const JointRows right = coefficient;
@@ -190,7 +189,7 @@ double fit(const RobotModel& robot, const std::vector<double>& clock, const Join
   const JointVector inset = (0.25 * (robot.upper - robot.lower)).cwiseMin(kLimitInset_rad);
   const JointVector lower = robot.lower + inset - origin.transpose();
   const JointVector upper = robot.upper - inset - origin.transpose();
-  std::vector<LimitMultipliers> pulls(static_cast<std::size_t>(n));
+  std::vector<LimitMultipliers> pulls(n);
   JointRows& coefficient = out.spline.coefficient;
   double excess = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -201,7 +200,7 @@ double fit(const RobotModel& robot, const std::vector<double>& clock, const Join
     for (std::size_t i = 0; i < clock.size(); ++i) {
       const JointVector off =
           coefficient.middleRows<6>(rows.place[i].interval).transpose() * rows.basis[i] -
-          offset.row(static_cast<Eigen::Index>(i)).transpose();
+          offset.row(i).transpose();
       const Deviation here = deviation_at(leverage, i, off);
       out.tip_deviation = std::max(out.tip_deviation, here.tip);
       out.joint_deviation = std::max(out.joint_deviation, here.any);

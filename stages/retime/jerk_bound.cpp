@@ -43,7 +43,7 @@ FromCoefficients local_from_coefficients(double z, double step) {
   const auto value = math::bspline_weights<3>(z);
   const auto first = math::bspline_weights<2>(z);
   const auto second = math::bspline_weights<1>(z);
-  for (std::size_t k = 0; k < 4; ++k) m(0, static_cast<Eigen::Index>(k)) = value[k];
+  for (std::size_t k = 0; k < 4; ++k) m(0, k) = value[k];
   for (std::size_t k = 0; k < 3; ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     m(1, column) -= first[k] / step;
@@ -88,7 +88,7 @@ Constraints constraints_of(const ConstrainedPath& paced_path, const RampedParame
   const Eigen::ArrayXd per_j = paced_path.jerk.array().inverse();
   JointRows q;
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ParameterDerivatives at = clock_at(clock, c.point[static_cast<std::size_t>(i)].w);
+    const ParameterDerivatives at = clock_at(clock, c.point[i].w);
     math::evaluate(paced_path.spline, at.u, q);
     const double pace =
         std::min(most, max_path_velocity(paced_path, at.u, q) / std::max(at.d1, 1e-12));
@@ -112,7 +112,7 @@ Constraints constraints_of(const ConstrainedPath& paced_path, const RampedParame
 double merit(const Constraints& c, const Eigen::VectorXd& coefficient, double barrier) {
   double duration = 0, slacks = 0;
   for (Eigen::Index i = 0; i < c.size(); ++i) {
-    const Point& point = c.point[static_cast<std::size_t>(i)];
+    const Point& point = c.point[i];
     const Local x = point.local * coefficient.segment<4>(point.interval);
     const double room = 1 - x[0] / c.ceiling[i];
     if (!(x[0] > 0) || !(room > 0)) return kInfinity;
@@ -195,7 +195,7 @@ bool newton_step(const Constraints& c, const Eigen::VectorXd& coefficient, doubl
   Local gradient;
   Eigen::Matrix3d hessian;
   for (Eigen::Index i = 0; i < c.size(); ++i) {
-    const Point& point = c.point[static_cast<std::size_t>(i)];
+    const Point& point = c.point[i];
     const FromCoefficients& m = point.local;
     local_model(c, i, point.weight, m * coefficient.segment<4>(point.interval), barrier, gradient,
                 hessian);
@@ -243,7 +243,7 @@ Eigen::VectorXd feasible_start(const Constraints& c, Eigen::Index intervals) {
     const double a = std::max(1e-12, c.a0.col(i).abs().maxCoeff());
     const double j = std::max(1e-12, c.j0.col(i).abs().maxCoeff());
     const double square = kStartRatio * std::min({c.ceiling[i], 1 / a, std::pow(j, -2.0 / 3)});
-    auto around = local.segment<4>(c.point[static_cast<std::size_t>(i)].interval);
+    auto around = local.segment<4>(c.point[i].interval);
     around = around.cwiseMin(square);
   }
   Eigen::VectorXd start = lowest_around(local, 3 * kReachKnots);

@@ -52,7 +52,7 @@ ParameterizedPath parameterize_path(const RobotModel& robot, const JointPath& pa
     out.origin.push_back(origin);
   };
   const auto row_of = [&](std::size_t i) -> JointVector {
-    return path.position.row(static_cast<Eigen::Index>(i)).transpose();
+    return path.position.row(i).transpose();
   };
   add(0, row_of(0), path.demonstration_time[0], path.origin[0]);
   for (std::size_t i = 0; i + 1 < samples; ++i) {
@@ -73,9 +73,9 @@ ParameterizedPath parameterize_path(const RobotModel& robot, const JointPath& pa
   }
   const double longer = std::max(1.0, step_s / out.parameter.back());
   for (double& clock : out.parameter) clock *= longer;
-  out.position.resize(static_cast<Eigen::Index>(rows.size()), path.position.cols());
+  out.position.resize(rows.size(), path.position.cols());
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    out.position.row(static_cast<Eigen::Index>(i)) = rows[i].transpose();
+    out.position.row(i) = rows[i].transpose();
   }
   return out;
 }

@@ -10,7 +10,7 @@ ReachAperture measure_aperture(const HandSignals& signals, const SegmentOptions&
   if (signals.aperture.empty()) return result;
   result.known = true;
   const std::vector<double>& opening = signals.aperture;
-  const auto at = [&](std::size_t i) { return opening.begin() + static_cast<std::ptrdiff_t>(i); };
+  const auto at = [&](std::size_t i) { return opening.begin() + i; };
   const std::size_t first = signals.frame(reach_begin_s), end = signals.frame(reach_end_s);
   const std::size_t closed = std::max(end, signals.frame(closed_by_s));
   const auto widest = std::max_element(at(first), at(end) + 1);

@@ -60,9 +60,7 @@ double movement_score(const Evidence& on, std::size_t first, std::size_t end) {
   const double home = return_score(on.options, reach, on.bouts[end - 1]);
   double sum = kMovementScore + (last ? std::max(0.0, home) : home);
   const auto carried = on.carried.begin();
-  const bool moved =
-      std::any_of(carried + static_cast<std::ptrdiff_t>(first) + 1,
-                  carried + static_cast<std::ptrdiff_t>(end), [](bool c) { return c; });
+  const bool moved = std::any_of(carried + first + 1, carried + end, [](bool c) { return c; });
   if (moved) {
     sum += kObjectMovedScore;
   } else if (on.held[first]) {

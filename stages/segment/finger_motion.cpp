@@ -14,9 +14,7 @@ constexpr double kLocalChangeShare = 0.2;
 
 std::size_t slowest(const HandSignals& signals, std::size_t first, std::size_t last) {
   const auto begin = signals.speed.begin();
-  return static_cast<std::size_t>(std::min_element(begin + static_cast<std::ptrdiff_t>(first),
-                                                   begin + static_cast<std::ptrdiff_t>(last) + 1) -
-                                  begin);
+  return std::min_element(begin + first, begin + last + 1) - begin;
 }
 
 /// The aperture of one recording and the thresholds for a change of it.

@@ -36,9 +36,7 @@ bool continues_reach(const HandSignals& signals, const SegmentOptions& options,
   const double closed_s = bout.end_s + kClosingDelay_s;
   if (!measure_aperture(signals, options, reach.begin_s, bout.begin_s, closed_s).grasps())
     return false;
-  const auto at = [&](double time_s) {
-    return signals.aperture.begin() + static_cast<std::ptrdiff_t>(signals.frame(time_s));
-  };
+  const auto at = [&](double time_s) { return signals.aperture.begin() + signals.frame(time_s); };
   const auto widest = std::max_element(at(reach.begin_s), at(bout.end_s) + 1);
   const double closed = *widest - *std::min_element(widest, at(closed_s) + 1);
   const Vec3 wrist =

@@ -25,10 +25,10 @@ struct SpeedInterval {
 };
 
 std::size_t extreme_frame(const Speeds& speed, std::size_t first, std::size_t last, bool fastest) {
-  const auto begin = speed.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto end = speed.begin() + static_cast<std::ptrdiff_t>(last) + 1;
+  const auto begin = speed.begin() + first;
+  const auto end = speed.begin() + last + 1;
   const auto at = fastest ? std::max_element(begin, end) : std::min_element(begin, end);
-  return static_cast<std::size_t>(at - speed.begin());
+  return at - speed.begin();
 }
 
 /// Returns the speed with the noise added everywhere, so that ratios of speeds at rest are not
@@ -125,7 +125,7 @@ void split_at(const HandSignals& signals, double time_s, std::vector<SpeedInterv
     if (signals.speed[slowest] < kSeparatingDipShare * smaller) return;
     if (left.peak == slowest || right.peak == slowest) return;
     pieces[k] = left;
-    pieces.insert(pieces.begin() + static_cast<std::ptrdiff_t>(k) + 1, right);
+    pieces.insert(pieces.begin() + k + 1, right);
     return;
   }
 }

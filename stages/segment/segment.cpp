@@ -105,7 +105,7 @@ Movement make_movement(const HandSignals& signals, const SegmentOptions& options
     add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
               grasp.end_confidence, movement);
   }
-  bouts.erase(bouts.begin(), bouts.begin() + static_cast<std::ptrdiff_t>(grasp.units_used));
+  bouts.erase(bouts.begin(), bouts.begin() + grasp.units_used);
   if (grasp.grasped && !bouts.empty()) bouts.front().begin_s = grasp.end_s;
   const std::size_t back =
       first_return(bouts, motions, comes_home, grasp.object_moved, reach.start_position);
@@ -179,10 +179,9 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
   std::vector<Movement> movements;
   for (const Cycle& cycle :
        find_cycles(signals, motion, options, bouts, objects, motions, contacts)) {
-    const auto begin = bouts.begin() + static_cast<std::ptrdiff_t>(cycle.first);
+    const auto begin = bouts.begin() + cycle.first;
     Movement movement = make_movement(signals, options, motions, contacts,
-                                      {begin, begin + static_cast<std::ptrdiff_t>(cycle.count)},
-                                      weak, cycle.returns_home);
+                                      {begin, begin + cycle.count}, weak, cycle.returns_home);
     if (movement.phases.empty()) continue;
     movement.index = static_cast<int>(movements.size());
     set_planned_interval(options, movement);

@@ -23,7 +23,7 @@ template <class T>
 T slope_beside(const std::vector<T>& values, std::size_t at, int step) {
   std::size_t far = at;
   for (std::size_t k = 0; k < kSlopeFrames; ++k) {
-    const auto next = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(far) + step);
+    const auto next = static_cast<std::size_t>(far + step);
     if (next >= values.size() || !is_seen(values[next])) break;
     far = next;
   }
@@ -72,16 +72,16 @@ std::vector<T> smooth_gaussian(const std::vector<T>& values, double sigma_frames
   }
   std::vector<T> result = values;
   for (std::ptrdiff_t i = 0; i < count; ++i) {
-    T sum = weights[0] * values[static_cast<std::size_t>(i)];
+    T sum = weights[0] * values[i];
     double total = weights[0];
     for (std::ptrdiff_t k = std::max<std::ptrdiff_t>(0, i - reach);
          k <= std::min(count - 1, i + reach); ++k) {
       if (k == i) continue;
-      const double weight = weights[static_cast<std::size_t>(std::abs(k - i))];
-      sum += weight * values[static_cast<std::size_t>(k)];
+      const double weight = weights[std::abs(k - i)];
+      sum += weight * values[k];
       total += weight;
     }
-    result[static_cast<std::size_t>(i)] = sum / total;
+    result[i] = sum / total;
   }
   return result;
 }

@@ -22,10 +22,7 @@ struct Walk {
   const std::vector<double>& speed;
   std::size_t at;
   int step;
-  std::size_t frame(std::size_t k) const {
-    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(at) +
-                                    step * static_cast<std::ptrdiff_t>(k));
-  }
+  std::size_t frame(std::size_t k) const { return at + step * static_cast<std::ptrdiff_t>(k); }
   double operator[](std::size_t k) const { return speed[frame(k)]; }
 };
 

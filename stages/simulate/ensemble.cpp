@@ -28,8 +28,7 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
   Variation variation{options.friction, options.torsional_friction_m, options.mass_kg,
                       plan.base_from_target};
   if (k == 0) return variation;
-  math::RandomStream random(math::seed_from(options.seed, name, static_cast<std::size_t>(k)),
-                            "simulate");
+  math::RandomStream random(math::seed_from(options.seed, name, k), "simulate");
   const double friction = sample_value(random, options.friction, options.friction_range);
   variation.torsional_friction_m *= friction / variation.friction;
   variation.friction = friction;
@@ -46,8 +45,7 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
 }
 
 std::size_t PlanResult::held_count() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(rollouts, [](const Rollout& one) { return one.lift.is_held(); }));
+  return std::ranges::count_if(rollouts, [](const Rollout& one) { return one.lift.is_held(); });
 }
 
 PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std::string& name,
@@ -67,7 +65,7 @@ PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std:
       prepared.plan.squeeze.is_planned ? ContactSource::planned : ContactSource::nearest;
   result.force_scale = prepared.plan.squeeze.force_scale;
   result.planned_contact_s = prepared.plan.planned_contact_s;
-  result.rollouts.resize(static_cast<std::size_t>(options.rollouts));
+  result.rollouts.resize(options.rollouts);
   parallel::for_each_index(result.rollouts.size(), [&](std::size_t k) {
     const bool directions = options.load_directions == Directions::every ||
                             (options.load_directions == Directions::first && k == 0);

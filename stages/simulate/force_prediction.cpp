@@ -25,8 +25,7 @@ double lift_share() {
 }  // namespace
 
 PredictedForces predict_forces(const PreparedPlan& plan, const Variation& variation) {
-  const SceneObject& target =
-      plan.world.scene->objects[static_cast<std::size_t>(plan.world.target)];
+  const SceneObject& target = plan.world.scene->objects[plan.world.target];
   const Inertia inertia = target_inertia(target, variation.mass_kg);
   PredictedForces predicted;
   double most = 0;

@@ -54,7 +54,7 @@ struct ClosingState {
     nearest.separation.distance = kInfinity;
     for (const std::size_t k : tip_capsules(robot, tip)) {
       const RobotModel::Capsule& capsule = robot.capsules[k];
-      const Pose& pose = base_from_frame[static_cast<std::size_t>(capsule.frame)];
+      const Pose& pose = base_from_frame[capsule.frame];
       const collision::Separation separation =
           collision::capsule_solid({pose * capsule.from, pose * capsule.to, capsule.radius},
                                    {target, mesh.get()}, base_from_target);
@@ -67,7 +67,7 @@ struct ClosingState {
   /// frame along a direction in the base frame.
   JointVector joint_gradient(int frame, const Vec3& point, const Vec3& direction,
                              const std::vector<int>& joints) const {
-    JointVector all = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+    JointVector all = JointVector::Zero(robot.joints());
     robot::add_point_gradient(robot, base_from_frame, frame, -1, point, direction, all);
     JointVector some = JointVector::Zero(all.size());
     for (const int j : joints) some[j] = all[j];
@@ -104,9 +104,8 @@ void set_servo_offsets(const robot::Robot& robot, const std::vector<Servo>& serv
   const std::vector<int> motors = motor_frames(robot);
   squeeze.servo_offset = JointVector::Zero(torque.size());
   for (Eigen::Index j = 0; j < torque.size(); ++j) {
-    const Servo& servo = servos[static_cast<std::size_t>(j)];
-    const double ratio =
-        robot.frames[static_cast<std::size_t>(motors[static_cast<std::size_t>(j)])].ratio;
+    const Servo& servo = servos[j];
+    const double ratio = robot.frames[motors[j]].ratio;
     if (torque[j] == 0) continue;
     squeeze.force_scale =
         std::min(squeeze.force_scale, servo.torque_limit * std::abs(ratio) / std::abs(torque[j]));

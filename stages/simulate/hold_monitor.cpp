@@ -48,7 +48,7 @@ ModelIds::ModelIds(const physics::Model& model, const RobotModel& robot, bool li
       target_geom(model.geom("target")),
       palm_body(model.body(fmt::format("f{}", robot.palm_frame))),
       base_motor(lifts_base ? model.actuator("base") : -1),
-      capsule_of_geom(static_cast<std::size_t>(model.geom_count()), -1) {
+      capsule_of_geom(model.geom_count(), -1) {
   for (std::size_t f = 0; f < robot.frames.size(); ++f) {
     const std::string name = fmt::format("f{}", f);
     bodies.push_back(model.body(name));
@@ -57,8 +57,7 @@ ModelIds::ModelIds(const physics::Model& model, const RobotModel& robot, bool li
   for (std::size_t j = 0; j < robot.joints(); ++j)
     motors.push_back(model.actuator(fmt::format("m{}", j)));
   for (std::size_t k = 0; k < robot.capsules.size(); ++k)
-    capsule_of_geom[static_cast<std::size_t>(model.geom(fmt::format("c{}", k)))] =
-        static_cast<int>(k);
+    capsule_of_geom[model.geom(fmt::format("c{}", k))] = static_cast<int>(k);
 }
 
 std::vector<TargetContact> target_contacts(const physics::State& state, const ModelIds& parts,
@@ -68,8 +67,7 @@ std::vector<TargetContact> target_contacts(const physics::State& state, const Mo
   for (const physics::GeomContact& touch : touches) {
     const bool target_first = touch.first == parts.target_geom;
     if (!target_first && touch.second != parts.target_geom) continue;
-    const int capsule =
-        parts.capsule_of_geom[static_cast<std::size_t>(target_first ? touch.second : touch.first)];
+    const int capsule = parts.capsule_of_geom[target_first ? touch.second : touch.first];
     if (capsule >= 0 && touch.force > 0)
       grips.push_back(
           {capsule, touch.point, target_first ? Vec3(-touch.normal) : touch.normal, touch.force});
@@ -99,9 +97,9 @@ HoldMonitor::HoldMonitor(const RobotModel& robot, const ModelIds& parts,
   grasp_axis_ = base_from_palm.linear().transpose() * grasp_axis(contacts_);
   const Pose target_from_base = squeezed.body(parts.target_body).inverse();
   for (const TargetContact& grip : contacts_) {
-    const int frame = robot.capsules[static_cast<std::size_t>(grip.capsule)].frame;
+    const int frame = robot.capsules[grip.capsule].frame;
     if (frame < 0) continue;
-    const Pose base_from_link = squeezed.body(parts.bodies[static_cast<std::size_t>(frame)]);
+    const Pose base_from_link = squeezed.body(parts.bodies[frame]);
     anchors_.push_back(
         {frame, target_from_base * grip.point, base_from_link.inverse() * grip.point});
   }
@@ -114,8 +112,7 @@ void HoldMonitor::update(const physics::State& state, bool settled, bool at_limi
   at_limit_ = at_limit;
   for (const ContactAnchor& pad : anchors_) {
     const Pose link_from_target =
-        state.body(parts_.bodies[static_cast<std::size_t>(pad.frame)]).inverse() *
-        state.body(parts_.target_body);
+        state.body(parts_.bodies[pad.frame]).inverse() * state.body(parts_.target_body);
     holding_.slip_m =
         std::max(holding_.slip_m, (link_from_target * pad.on_target - pad.on_finger).norm());
   }

@@ -89,7 +89,7 @@ class Writer {
         with_environment_(around == Environment::scene),
         children_(robot_.frames.size() + 1) {
     for (std::size_t f = 0; f < robot_.frames.size(); ++f)
-      children_[static_cast<std::size_t>(robot_.frames[f].parent + 1)].push_back(f);
+      children_[robot_.frames[f].parent + 1].push_back(f);
   }
 
   std::string text() {
@@ -156,7 +156,7 @@ class Writer {
 
   void joint(std::size_t f) {
     const RobotModel::Frame& frame = robot_.frames[f];
-    const Servo& servo = world_.servos[static_cast<std::size_t>(frame.joint)];
+    const Servo& servo = world_.servos[frame.joint];
     const double one = frame.ratio * robot_.lower[frame.joint] + frame.offset;
     const double other = frame.ratio * robot_.upper[frame.joint] + frame.offset;
     add(text_,
@@ -243,10 +243,9 @@ class Writer {
     const std::vector<int> motors = motor_frames(robot_);
     for (std::size_t f = 0; f < robot_.frames.size(); ++f) {
       const RobotModel::Frame& frame = robot_.frames[f];
-      if (frame.joint < 0 || motors[static_cast<std::size_t>(frame.joint)] == static_cast<int>(f))
-        continue;
-      const int motor = motors[static_cast<std::size_t>(frame.joint)];
-      const RobotModel::Frame& by = robot_.frames[static_cast<std::size_t>(motor)];
+      if (frame.joint < 0 || motors[frame.joint] == static_cast<int>(f)) continue;
+      const int motor = motors[frame.joint];
+      const RobotModel::Frame& by = robot_.frames[motor];
       const double ratio = frame.ratio / by.ratio;
       add(text_,
           "<joint joint1=\"f{}\" joint2=\"f{}\" polycoef=\"{:.17g} {:.17g} 0 0 0\" solref=\"{}\" "
@@ -278,9 +277,7 @@ class Writer {
   }
 
   bool is_target(std::size_t object) const { return static_cast<int>(object) == world_.target; }
-  const SceneObject& target_object() const {
-    return world_.scene->objects[static_cast<std::size_t>(world_.target)];
-  }
+  const SceneObject& target_object() const { return world_.scene->objects[world_.target]; }
   std::string name_of_object(std::size_t k) const {
     return is_target(k) ? "target" : fmt::format("o{}", k);
   }

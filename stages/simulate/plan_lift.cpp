@@ -19,18 +19,17 @@ constexpr int kMaxIterations = 4;
 Eigen::MatrixXd palm_jacobian(const robot::Robot& robot, const std::vector<Pose>& base_from_frame) {
   const auto n = static_cast<Eigen::Index>(robot.joints());
   Eigen::Matrix3Xd point(3, n), turn = Eigen::Matrix3Xd::Zero(3, n);
-  const Pose& palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+  const Pose& palm = base_from_frame[robot.palm_frame];
   robot::point_jacobian(robot, base_from_frame, robot.palm_frame, palm.translation(), point);
   for (const int f : robot::ancestors(robot, robot.palm_frame)) {
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(f)];
+    const RobotModel::Frame& frame = robot.frames[f];
     if (frame.joint >= 0 && !frame.prismatic) {
-      turn.col(frame.joint) +=
-          frame.ratio * (base_from_frame[static_cast<std::size_t>(f)].linear() * frame.axis);
+      turn.col(frame.joint) += frame.ratio * (base_from_frame[f].linear() * frame.axis);
     }
   }
-  Eigen::MatrixXd jacobian(6, static_cast<Eigen::Index>(robot.arm_joints.size()));
+  Eigen::MatrixXd jacobian(6, robot.arm_joints.size());
   for (Eigen::Index k = 0; k < jacobian.cols(); ++k) {
-    const int j = robot.arm_joints[static_cast<std::size_t>(k)];
+    const int j = robot.arm_joints[k];
     jacobian.col(k) << point.col(j), kRotationScale_m * turn.col(j);
   }
   return jacobian;
@@ -66,7 +65,7 @@ std::optional<JointRows> plan_lift(const robot::Robot& robot, const JointVector&
           kDamping_m * kDamping_m * Eigen::Matrix<double, 6, 6>::Identity();
       const JointVector step = jacobian.transpose() * normal.llt().solve(error);
       for (Eigen::Index i = 0; i < step.size(); ++i) {
-        const int j = robot.arm_joints[static_cast<std::size_t>(i)];
+        const int j = robot.arm_joints[i];
         q[j] = std::clamp(q[j] + step[i], robot.lower[j], robot.upper[j]);
       }
     }

@@ -68,11 +68,10 @@ double planned_contact_time(const robot::Robot& robot, const Plan& plan,
   const std::size_t last = last_tracked_sample(plan);
   std::vector<Pose> base_from_frame;
   for (std::size_t i = 0; i < last; ++i) {
-    robot::forward_kinematics(robot, t.position.row(static_cast<Eigen::Index>(i)).transpose(),
-                              base_from_frame);
+    robot::forward_kinematics(robot, t.position.row(i).transpose(), base_from_frame);
     for (const RobotModel::Capsule& capsule : robot.capsules) {
       if (capsule.frame < 0) continue;
-      const Pose& pose = base_from_frame[static_cast<std::size_t>(capsule.frame)];
+      const Pose& pose = base_from_frame[capsule.frame];
       const collision::CapsuleBody body{pose * capsule.from, pose * capsule.to, capsule.radius};
       const double reach = 0.5 * (body.to - body.from).norm() + body.radius +
                            collision::bounding_radius({target, mesh.get()});
@@ -94,7 +93,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   const int number = target_of(plan);
   prepared.skip_reason = initial_skip_reason(plan, number, prepared.detail);
   if (prepared.skip_reason != SkipReason::none) return prepared;
-  const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(number)];
+  const SceneObject& target = plan.scene.objects[number];
   if (target.shape == Shape::mesh && !collision::mesh_solid_of(target)) {
     prepared.skip_reason = SkipReason::invalid_data;
     prepared.detail = "the target's mesh encloses no volume";
@@ -117,9 +116,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
       prepared.notes.push_back(
           fmt::format("{} is not simulated: it moves, or is a mesh", plan.scene.objects[k].name));
   }
-  const JointVector open =
-      plan.trajectory.position.row(static_cast<Eigen::Index>(last_tracked_sample(plan)))
-          .transpose();
+  const JointVector open = plan.trajectory.position.row(last_tracked_sample(plan)).transpose();
   std::optional<GraspCommand> squeeze;
   if (options.contacts == ContactSource::planned)
     squeeze = planned_grasp_command(robot, plan, open, ready.world.servos);

@@ -71,9 +71,7 @@ Json json_of(const Pose& pose) {
 Pose pose_of(const Json& json) {
   Pose pose;
   for (Eigen::Index r = 0; r < 4; ++r) {
-    for (Eigen::Index c = 0; c < 4; ++c)
-      pose.matrix()(r, c) =
-          json.at(static_cast<std::size_t>(r)).at(static_cast<std::size_t>(c)).get<double>();
+    for (Eigen::Index c = 0; c < 4; ++c) pose.matrix()(r, c) = json.at(r).at(c).get<double>();
   }
   return pose;
 }

@@ -49,7 +49,7 @@ class Simulation {
   std::optional<std::string> step(Eigen::Index row) {
     for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
       const RobotModel::Frame& motor = motor_of(j);
-      const double q = plan_.program.control(row, static_cast<Eigen::Index>(j));
+      const double q = plan_.program.control(row, j);
       state_.set_control(parts_.motors[j], motor.ratio * q + motor.offset);
     }
     set_feedforward_acceleration(row);
@@ -62,7 +62,7 @@ class Simulation {
 
   double position(std::size_t joint) const {
     const RobotModel::Frame& motor = motor_of(joint);
-    const int number = parts_.joints[static_cast<std::size_t>(motor_frames_[joint])];
+    const int number = parts_.joints[motor_frames_[joint]];
     return (state_.joint(number) - motor.offset) / motor.ratio;
   }
 
@@ -72,7 +72,7 @@ class Simulation {
   double torque_ratio() const { return torque_ratio_; }
   bool finger_at_limit() const { return finger_at_limit_; }
   const RobotModel::Frame& motor_of(std::size_t joint) const {
-    return plan_.robot->frames[static_cast<std::size_t>(motor_frames_[joint])];
+    return plan_.robot->frames[motor_frames_[joint]];
   }
 
  private:
@@ -122,8 +122,7 @@ void update_tracking_error(const PreparedPlan& plan, const Simulation& simulatio
   const robot::Robot& robot = *plan.robot;
   for (std::size_t j = 0; j < robot.joints(); ++j) {
     const bool slides = simulation.motor_of(j).prismatic;
-    const double error = std::abs(simulation.position(j) -
-                                  plan.program.reference(row, static_cast<Eigen::Index>(j))) *
+    const double error = std::abs(simulation.position(j) - plan.program.reference(row, j)) *
                          (slides ? 1000 : 1 / kRadPerDegree);
     double& largest = std::ranges::count(robot.arm_joints, static_cast<int>(j)) > 0
                           ? rollout.arm_error
@@ -141,8 +140,7 @@ std::vector<double> measured_forces(const PreparedPlan& plan,
     const int link = robot::moving_frame_of(robot, robot.tips[press.tip].frame);
     double force = 0;
     for (const TargetContact& grip : grips) {
-      if (robot::moving_frame_of(
-              robot, robot.capsules[static_cast<std::size_t>(grip.capsule)].frame) == link)
+      if (robot::moving_frame_of(robot, robot.capsules[grip.capsule].frame) == link)
         force += grip.force_N;
     }
     forces.push_back(force);

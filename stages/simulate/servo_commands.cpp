@@ -18,8 +18,7 @@ Eigen::Index steps_in(double duration_s, double step_s) {
 JointVector with_velocity_lead(const JointVector& position, const JointVector& velocity,
                                const std::vector<Servo>& servos) {
   JointVector target = position;
-  for (Eigen::Index j = 0; j < target.size(); ++j)
-    target[j] += servos[static_cast<std::size_t>(j)].lead_s * velocity[j];
+  for (Eigen::Index j = 0; j < target.size(); ++j) target[j] += servos[j].lead_s * velocity[j];
   return target;
 }
 
@@ -65,7 +64,7 @@ void fill_tracking_commands(const Trajectory& t, std::size_t last, const std::ve
 
 std::size_t last_tracked_sample(const Plan& plan) {
   const Trajectory& t = plan.trajectory;
-  std::size_t last = static_cast<std::size_t>(plan.grasp.sample);
+  std::size_t last = plan.grasp.sample;
   while (last + 1 < t.samples() && t.phase[last + 1] == PhaseKind::grasp) ++last;
   return last;
 }
@@ -89,7 +88,7 @@ ServoCommands make_servo_commands(const robot::Robot& robot, const Plan& plan,
   program.acceleration.resize(program.tracking_end, n);
   fill_tracking_commands(t, last, servos, step_s, program);
 
-  const JointVector open = t.position.row(static_cast<Eigen::Index>(last)).transpose();
+  const JointVector open = t.position.row(last).transpose();
   for (Eigen::Index row = program.tracking_end; row < program.grasp_end; ++row) {
     const auto share = [&](Eigen::Index from, Eigen::Index steps) {
       const double s = static_cast<double>(row + 1 - from) / static_cast<double>(steps);

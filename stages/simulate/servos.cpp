@@ -34,8 +34,7 @@ void override_gains(const ServoGains& gains, Servo& servo) {
 std::vector<int> motor_frames(const RobotModel& robot) {
   std::vector<int> frames(robot.joints(), -1);
   for (std::size_t f = robot.frames.size(); f-- > 0;) {
-    if (robot.frames[f].joint >= 0)
-      frames[static_cast<std::size_t>(robot.frames[f].joint)] = static_cast<int>(f);
+    if (robot.frames[f].joint >= 0) frames[robot.frames[f].joint] = static_cast<int>(f);
   }
   return frames;
 }
@@ -46,7 +45,7 @@ std::vector<Servo> servos_of(const robot::Robot& robot, const SimulateOptions& o
   const std::vector<int> motors = motor_frames(robot);
   for (std::size_t j = 0; j < servos.size(); ++j) {
     Servo& servo = servos[j];
-    const RobotModel::Frame& motor = robot.frames[static_cast<std::size_t>(motors[j])];
+    const RobotModel::Frame& motor = robot.frames[motors[j]];
     if (motor.prismatic) {
       servo = {kPrismaticServo.stiffness, kPrismaticServo.velocity_gain, kPrismaticServo.armature,
                0, kPrismaticServo.torque_limit};

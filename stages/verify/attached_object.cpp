@@ -27,7 +27,7 @@ AttachedObject find_attached_object(const RobotModel& robot, const Plan& plan,
   std::vector<Pose> base_from_frame;
   const auto hand_at = [&](auto sample) -> const Pose& {
     frame_poses(robot, trajectory.position.row(sample - time.begin()).transpose(), base_from_frame);
-    return base_from_frame[static_cast<std::size_t>(carried.frame)];
+    return base_from_frame[carried.frame];
   };
   carried.frame_from_object = hand_at(taken).inverse() * recorded_pose(*target, *taken);
   const auto released = std::isnan(target->release_s)

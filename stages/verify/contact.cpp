@@ -80,12 +80,11 @@ class ContactVerifier {
       travels_.push_back(object_travel(object));
       meshes_.push_back(object.shape == Shape::mesh ? make_mesh(object) : Mesh());
     }
-    motion_bounds_.resize(static_cast<Eigen::Index>(pairs_.size()), robot.lower.size());
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-      motion_bounds_.row(static_cast<Eigen::Index>(i)) = pairs_[i].motion_bound;
+    motion_bounds_.resize(pairs_.size(), robot.lower.size());
+    for (std::size_t i = 0; i < pairs_.size(); ++i) motion_bounds_.row(i) = pairs_[i].motion_bound;
     carried_ = find_attached_object(robot, plan, *curve.trajectory);
     if (carried_.object < 0) return;
-    const SceneObject& target = plan.scene.objects[static_cast<std::size_t>(carried_.object)];
+    const SceneObject& target = plan.scene.objects[carried_.object];
     for (std::size_t i = 0; i < robot.capsules.size(); ++i) {
       attached_motion_bound_.push_back(
           relative_motion_bound(robot, static_cast<int>(i), carried_.frame,
@@ -184,12 +183,11 @@ class ContactVerifier {
   /// evaluated distances and the greatest travel since then.
   template <class Enough>
   std::vector<std::size_t> candidate_pairs(const SegmentInterval& piece, const Enough& enough) {
-    by_joints_.noalias() =
-        motion_bounds_ * curve_.speed.row(static_cast<Eigen::Index>(piece.piece)).transpose();
+    by_joints_.noalias() = motion_bounds_ * curve_.speed.row(piece.piece).transpose();
     std::vector<std::size_t> near;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
       const ContactPair& pair = pairs_[i];
-      double travel = piece.half_s * by_joints_[static_cast<Eigen::Index>(i)];
+      double travel = piece.half_s * by_joints_[i];
       if (pair.is_object) travel += max_object_travel(piece, pair);
       bound_[i] -= 2 * travel;
       if (!is_known_clear(i, enough(pair))) near.push_back(i);
@@ -267,17 +265,16 @@ class ContactVerifier {
   double max_travel(const SegmentInterval& part, const ContactPair& pair) const {
     const bool target = pair.is_object && pair.other == carried_.object;
     const JointVector& lever = target && carried_.is_attached(part.middle_s)
-                                   ? attached_motion_bound_[static_cast<std::size_t>(pair.capsule)]
+                                   ? attached_motion_bound_[pair.capsule]
                                    : pair.motion_bound;
-    const double by_joints =
-        part.half_s * curve_.speed.row(static_cast<Eigen::Index>(part.piece)).dot(lever);
+    const double by_joints = part.half_s * curve_.speed.row(part.piece).dot(lever);
     const bool still = target && part.middle_s >= carried_.attach_s;
     return !pair.is_object || still ? by_joints : by_joints + max_object_travel(part, pair);
   }
 
   /// Returns the greatest travel of the object alone, along its recorded poses.
   double max_object_travel(const SegmentInterval& part, const ContactPair& pair) const {
-    const ObjectTravel& moved = travels_[static_cast<std::size_t>(pair.other)];
+    const ObjectTravel& moved = travels_[pair.other];
     if (moved.travelled.size() == 1) return 0;
     const double here = moved.at(part.middle_s);
     return std::max(here - moved.at(part.begin_s), moved.at(part.end_s) - here);
@@ -307,20 +304,17 @@ class ContactVerifier {
     for (std::size_t k = 0; k < now_.object_from_base.size(); ++k)
       now_.object_from_base[k] = recorded_pose(plan_.scene.objects[k], time_s).inverse();
     if (carried_.is_attached(time_s)) {
-      now_.object_from_base[static_cast<std::size_t>(carried_.object)] =
-          (now_.base_from_frame[static_cast<std::size_t>(carried_.frame)] *
-           carried_.frame_from_object)
-              .inverse();
+      now_.object_from_base[carried_.object] =
+          (now_.base_from_frame[carried_.frame] * carried_.frame_from_object).inverse();
     } else if (carried_.is_released(time_s)) {
-      now_.object_from_base[static_cast<std::size_t>(carried_.object)] =
-          carried_.base_from_released_object.inverse();
+      now_.object_from_base[carried_.object] = carried_.base_from_released_object.inverse();
     }
   }
 
   /// Returns the exact distance if it is below `enough`, otherwise any lower bound that is at least
   /// `enough`.
   double distance(const ContactPair& pair, double enough) const {
-    const Segment& axis = now_.axes[static_cast<std::size_t>(pair.capsule)];
+    const Segment& axis = now_.axes[pair.capsule];
     const auto other = static_cast<std::size_t>(pair.other);
     if (pair.is_object) {
       const Pose& object_from_base = now_.object_from_base[other];

@@ -42,9 +42,9 @@ std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan
   std::vector<ContactPair> pairs;
   const int capsules = static_cast<int>(robot.capsules.size());
   for (int i = 0; i < capsules; ++i) {
-    const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
+    const RobotModel::Capsule& a = robot.capsules[i];
     for (int j = i + 1; j < capsules; ++j) {
-      const RobotModel::Capsule& b = robot.capsules[static_cast<std::size_t>(j)];
+      const RobotModel::Capsule& b = robot.capsules[j];
       if (a.frame == b.frame || is_allowed_pair(robot, i, j)) continue;
       pairs.push_back({i, j, false, false, false, a.radius + b.radius,
                        relative_motion_bound(robot, i, j), a.name + "/" + b.name});
@@ -52,7 +52,7 @@ std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan
   }
   const std::vector<PadSphere> pads = pad_spheres(robot);
   for (int i = 0; i < capsules; ++i) {
-    const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(i)];
+    const RobotModel::Capsule& a = robot.capsules[i];
     const bool pad = std::any_of(pads.begin(), pads.end(),
                                  [&](const PadSphere& one) { return one.capsule == i; });
     for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {

@@ -15,18 +15,18 @@ double Curve::demonstration_time_at(std::size_t piece, double s) const {
 }
 
 void Curve::position_at(std::size_t piece, double s, JointVector& q) const {
-  q.resize(static_cast<Eigen::Index>(joints));
+  q.resize(joints);
   for (std::size_t j = 0; j < joints; ++j) {
-    q(static_cast<Eigen::Index>(j)) = derivative(quintics[piece * joints + j], 0, s);
+    q(j) = derivative(quintics[piece * joints + j], 0, s);
   }
 }
 
 Curve make_curve(const Trajectory& trajectory) {
   Curve curve;
   curve.trajectory = &trajectory;
-  curve.joints = static_cast<std::size_t>(trajectory.position.cols());
+  curve.joints = trajectory.position.cols();
   curve.pieces = trajectory.samples() - 1;
-  curve.speed.resize(static_cast<Eigen::Index>(curve.pieces), trajectory.position.cols());
+  curve.speed.resize(curve.pieces, trajectory.position.cols());
   curve.quintics.reserve(curve.pieces * curve.joints);
   curve.ranges.reserve(curve.pieces * curve.joints);
   const auto state = [&](Eigen::Index sample, Eigen::Index joint) {

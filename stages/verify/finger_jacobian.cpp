@@ -8,9 +8,8 @@ namespace morphe::verify {
 namespace {
 
 bool moves_palm(const RobotModel& robot, int joint) {
-  for (int frame = robot.palm_frame; frame >= 0;
-       frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
-    if (robot.frames[static_cast<std::size_t>(frame)].joint == joint) return true;
+  for (int frame = robot.palm_frame; frame >= 0; frame = robot.frames[frame].parent) {
+    if (robot.frames[frame].joint == joint) return true;
   }
   return false;
 }
@@ -25,7 +24,7 @@ Eigen::Matrix3Xd finger_jacobian(const RobotModel& robot, const JointVector& q, 
   std::vector<Pose> base_from_frame;
   const auto pose = [&](const JointVector& at) -> const Pose& {
     frame_poses(robot, at, base_from_frame);
-    return base_from_frame[static_cast<std::size_t>(frame)];
+    return base_from_frame[frame];
   };
   const Vec3 point = pose(q).inverse() * point_in_base;
   for (Eigen::Index joint = 0; joint < q.size(); ++joint) {

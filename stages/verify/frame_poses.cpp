@@ -7,7 +7,7 @@ namespace morphe::verify {
 namespace {
 
 bool is_ancestor(const RobotModel& robot, int ancestor, int frame) {
-  for (; frame >= 0; frame = robot.frames[static_cast<std::size_t>(frame)].parent) {
+  for (; frame >= 0; frame = robot.frames[frame].parent) {
     if (frame == ancestor) return true;
   }
   return false;
@@ -25,7 +25,7 @@ void add_motion_bounds(const RobotModel& robot, const RobotModel::Capsule& capsu
   double distance = std::max(capsule.from.norm(), capsule.to.norm());
   for (int index = capsule.frame; index >= 0;) {
     if (is_ancestor(robot, index, other_frame)) return;
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
+    const RobotModel::Frame& frame = robot.frames[index];
     if (frame.joint >= 0)
       lever(frame.joint) += std::abs(frame.ratio) * (frame.prismatic ? 1 : distance);
     distance += frame.transform.translation().norm() + longest_slide(robot, frame);
@@ -41,9 +41,7 @@ void frame_poses(const RobotModel& robot, const JointVector& q,
   for (std::size_t i = 0; i < robot.frames.size(); ++i) {
     const RobotModel::Frame& frame = robot.frames[i];
     Pose& pose = base_from_frame[i];
-    pose = frame.parent < 0
-               ? frame.transform
-               : base_from_frame[static_cast<std::size_t>(frame.parent)] * frame.transform;
+    pose = frame.parent < 0 ? frame.transform : base_from_frame[frame.parent] * frame.transform;
     if (frame.joint < 0) continue;
     const double value = frame.ratio * q(frame.joint) + frame.offset;
     if (frame.prismatic) {
@@ -55,13 +53,13 @@ void frame_poses(const RobotModel& robot, const JointVector& q,
 }
 
 JointVector relative_motion_bound(const RobotModel& robot, int first, int second) {
-  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  JointVector lever = JointVector::Zero(robot.joints());
+  const RobotModel::Capsule& a = robot.capsules[first];
   if (second < 0) {
     add_motion_bounds(robot, a, -1, lever);
     return lever;
   }
-  const RobotModel::Capsule& b = robot.capsules[static_cast<std::size_t>(second)];
+  const RobotModel::Capsule& b = robot.capsules[second];
   add_motion_bounds(robot, a, b.frame, lever);
   add_motion_bounds(robot, b, a.frame, lever);
   return lever;
@@ -69,8 +67,8 @@ JointVector relative_motion_bound(const RobotModel& robot, int first, int second
 
 JointVector relative_motion_bound(const RobotModel& robot, int first, int frame, const Vec3& centre,
                                   double radius) {
-  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
-  const RobotModel::Capsule& a = robot.capsules[static_cast<std::size_t>(first)];
+  JointVector lever = JointVector::Zero(robot.joints());
+  const RobotModel::Capsule& a = robot.capsules[first];
   RobotModel::Capsule body;  // only its farthest point matters
   body.frame = frame;
   body.from = body.to = (centre.norm() + radius) * Vec3::UnitX();
@@ -80,7 +78,7 @@ JointVector relative_motion_bound(const RobotModel& robot, int first, int frame,
 }
 
 JointVector point_motion_bound(const RobotModel& robot, int frame, double reach) {
-  JointVector lever = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  JointVector lever = JointVector::Zero(robot.joints());
   RobotModel::Capsule body;  // only its farthest point matters
   body.frame = frame;
   body.from = body.to = reach * Vec3::UnitX();

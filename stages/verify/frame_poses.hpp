@@ -12,7 +12,7 @@ void frame_poses(const RobotModel& robot, const JointVector& q, std::vector<Pose
 
 /// Transforms a point given in a frame (-1 = base) to the base frame.
 inline Vec3 to_base_frame(const std::vector<Pose>& base_from_frame, int frame, const Vec3& point) {
-  return frame < 0 ? point : base_from_frame[static_cast<std::size_t>(frame)] * point;
+  return frame < 0 ? point : base_from_frame[frame] * point;
 }
 
 /// Returns lever [n] with |dx| <= sum_j lever_j |dq_j| for every point x on the axis of one capsule

@@ -65,14 +65,12 @@ GoalErrors goal_errors(const RobotModel& robot, const Plan& plan) {
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
     const GoalInterpolation at = interpolate_goal_frames(plan.goals, time_s);
-    frame_poses(robot, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
-                poses);
+    frame_poses(robot, trajectory.position.row(sample).transpose(), poses);
     for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
       const RobotModel::Tip& which = robot.tips[tip];
       if (const auto goal = orientation_goal(plan.goals, tip, at)) {
         const Pose pose =
-            (which.frame < 0 ? Pose::Identity() : poses[static_cast<std::size_t>(which.frame)]) *
-            which.transform;
+            (which.frame < 0 ? Pose::Identity() : poses[which.frame]) * which.transform;
         orientation.add(rotation_angle(quaternion_of(Quat(pose.linear())), *goal));
       }
       const auto goal = goal_at(plan.goals, tip, time_s);

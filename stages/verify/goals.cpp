@@ -65,7 +65,7 @@ bool is_rotation_or_unseen(const Quat& rotation) {
 double longest_reach(const RobotModel& robot, const RobotModel::Tip& tip, double pad) {
   double reach = std::max(tip.transform.translation().norm(), pad);
   for (int index = tip.frame; index >= 0;) {
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(index)];
+    const RobotModel::Frame& frame = robot.frames[index];
     reach += frame.transform.translation().norm();
     if (frame.prismatic && frame.joint >= 0)
       reach += std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),

@@ -124,11 +124,8 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationC
       runs.note_plan("contact", contact.tip + "/" + what, value, limit);
     };
     const auto tip = std::ranges::find(robot.tips, contact.tip, &RobotModel::Tip::name);
-    const PadSphere pad = tip == robot.tips.end()
-                              ? PadSphere()
-                              : pads[static_cast<std::size_t>(tip - robot.tips.begin())];
-    if (pad.capsule < 0 ||
-        robot.capsules[static_cast<std::size_t>(pad.capsule)].name != contact.link) {
+    const PadSphere pad = tip == robot.tips.end() ? PadSphere() : pads[tip - robot.tips.begin()];
+    if (pad.capsule < 0 || robot.capsules[pad.capsule].name != contact.link) {
       note("link", kUnknown, kUnknown);
       all_told = false;
       continue;
@@ -140,7 +137,7 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationC
       all_told = false;
       continue;
     }
-    const RobotModel::Capsule& capsule = robot.capsules[static_cast<std::size_t>(pad.capsule)];
+    const RobotModel::Capsule& capsule = robot.capsules[pad.capsule];
     const auto in_object = [&](const Vec3& point) -> Vec3 {
       return object_from_base * to_base_frame(base_from_frame, capsule.frame, point);
     };
@@ -171,9 +168,8 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationC
     const bool unit = std::abs(contact.normal.norm() - 1) <= kUnitNormTolerance;
     holds("normal", unit ? angle(-contact.normal, surface.distance_gradient(on_axis)) : kInfinity,
           kNormalTolerance_rad);
-    const Vec3 middle = object_from_base.linear() *
-                        base_from_frame[static_cast<std::size_t>(tip->frame)].linear() *
-                        pad.pad_normal;
+    const Vec3 middle =
+        object_from_base.linear() * base_from_frame[tip->frame].linear() * pad.pad_normal;
     const double turned = angle(middle, contact.normal);
     if (!(std::abs(contact.pad_angle - turned) <= kPadAngleTolerance_rad))
       note("pad_angle", contact.pad_angle, turned);

@@ -123,8 +123,8 @@ void verify_grasp_forces(const RobotModel& robot, const Plan& plan, const std::s
     return runs.note_plan("finite", "grasp/grasp_force", kUnknown, kUnknown);
 
   const SceneObject& target = *find_object(plan.scene.objects, plan.movement.target);
-  const Pose base_from_object = recorded_pose(
-      target, plan.trajectory.demonstration_time[static_cast<std::size_t>(grasp.sample)]);
+  const Pose base_from_object =
+      recorded_pose(target, plan.trajectory.demonstration_time[grasp.sample]);
   const double most = grasp_config_value(config, "max_finger_force").value_or(kInfinity);
   WrenchBalance sum;
   JointVector torque = JointVector::Zero(joints);

@@ -39,7 +39,7 @@ std::vector<double> grip_apertures(const RobotModel& robot, const Trajectory& tr
   if (thumb == robot.tips.end() || index == robot.tips.end()) return found;
   std::vector<Pose> base_from_frame;
   const auto place = [&](auto tip) {
-    return tip_point(robot, base_from_frame, static_cast<std::size_t>(tip - robot.tips.begin()));
+    return tip_point(robot, base_from_frame, tip - robot.tips.begin());
   };
   for (int sample = 0; sample <= last; ++sample) {
     frame_poses(robot, trajectory.position.row(sample).transpose(), base_from_frame);
@@ -57,7 +57,7 @@ double aperture_deficit(const RobotModel& robot, const Plan& plan) {
       wide.empty() ? 1 : static_cast<std::size_t>(plan.grasp.sample) + 1;  // only the first sample
   double least = kInfinity;
   for (std::size_t sample = 0; sample < samples; ++sample) {
-    const JointVector way = plan.trajectory.position.row(static_cast<Eigen::Index>(sample));
+    const JointVector way = plan.trajectory.position.row(sample);
     const bool same =
         (way - plan.grasp.pregrasp_posture).cwiseAbs().maxCoeff() <= kGraspPoseTolerance;
     if (same) least = std::min(least, wide.empty() ? 0 : widest - wide[sample]);
@@ -119,16 +119,15 @@ bool verify_grasp_pose(const RobotModel& robot, const Plan& plan, ViolationColle
   const JointVector q = plan.trajectory.position.row(sample).transpose();
   note("grasp_posture", (grasp.grasp_posture - q).cwiseAbs().maxCoeff());
   note("pregrasp_posture", aperture_deficit(robot, plan));
-  const double time_s = plan.trajectory.demonstration_time[static_cast<std::size_t>(grasp.sample)];
+  const double time_s = plan.trajectory.demonstration_time[grasp.sample];
   const Pose base_from_object = recorded_pose(*target, time_s);
   note("object_pose", pose_difference(grasp.base_from_object, base_from_object));
   std::vector<Pose> base_from_frame;
   frame_poses(robot, q, base_from_frame);
   const Pose object_from_base = base_from_object.inverse();
   note("palm_pose_in_object",
-       pose_difference(
-           grasp.object_from_palm,
-           object_from_base * base_from_frame[static_cast<std::size_t>(robot.palm_frame)]));
+       pose_difference(grasp.object_from_palm,
+                       object_from_base * base_from_frame[robot.palm_frame]));
   note("approach_direction", approach_direction_error(robot, plan, object_from_base));
   double farthest = 0;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {

@@ -25,8 +25,7 @@ Vec3 centre_of_mass(const SceneObject& object) {
   Vec3 sum = Vec3::Zero();
   for (const Eigen::Vector3i& triangle : object.triangles) {
     Eigen::Matrix3d corners;
-    for (int k = 0; k < 3; ++k)
-      corners.col(k) = object.vertices[static_cast<std::size_t>(triangle[k])];
+    for (int k = 0; k < 3; ++k) corners.col(k) = object.vertices[triangle[k]];
     const double six = corners.determinant();
     six_volumes += six;
     sum += six / 4 * corners.rowwise().sum();

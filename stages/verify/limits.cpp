@@ -23,8 +23,8 @@ CurvePoint place_of(const Curve& curve, std::size_t piece, double s) {
 void verify_coupled_limits(const RobotModel& robot, const Curve& curve, std::size_t piece,
                            ViolationCollector& runs) {
   for (const RobotModel::CoupledLimit& own : robot.coupled_limits) {
-    const RobotModel::Frame& frame = robot.frames[static_cast<std::size_t>(own.frame)];
-    const auto& ranges = curve.ranges[piece * curve.joints + static_cast<std::size_t>(frame.joint)];
+    const RobotModel::Frame& frame = robot.frames[own.frame];
+    const auto& ranges = curve.ranges[piece * curve.joints + frame.joint];
     for (const Extreme& end : {ranges[0].least, ranges[0].greatest}) {
       const double value = frame.ratio * end.value + frame.offset;
       const double beyond = std::max(own.lower - value, value - own.upper);
@@ -110,7 +110,7 @@ void verify_rest(const RobotModel& robot, const Trajectory& trajectory, Violatio
       if (most <= kRestTolerance) continue;
       const auto row = static_cast<std::size_t>(sample);
       // Both ends are reported, even for a trajectory so short that they are neighbours.
-      runs.note("rest", robot.joint_names[static_cast<std::size_t>(j)],
+      runs.note("rest", robot.joint_names[j],
                 {sample == 0 ? 0 : static_cast<int>(2 * row + 2), static_cast<int>(row),
                  trajectory.time[row]},
                 most, kRestTolerance, most);

@@ -18,14 +18,13 @@ bool less_lexicographic(const Vec3& a, const Vec3& b) {
 
 /// Returns, for each vertex, the index of the first vertex at the same position.
 std::vector<int> merged_vertex_indices(const std::vector<Vec3>& vertices) {
-  const auto at = [&](int k) -> const Vec3& { return vertices[static_cast<std::size_t>(k)]; };
+  const auto at = [&](int k) -> const Vec3& { return vertices[k]; };
   std::vector<int> order(vertices.size()), place(vertices.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::stable_sort(order, [&](int i, int j) { return less_lexicographic(at(i), at(j)); });
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool same = k > 0 && at(order[k]) == at(order[k - 1]);
-    place[static_cast<std::size_t>(order[k])] =
-        same ? place[static_cast<std::size_t>(order[k - 1])] : order[k];
+    place[order[k]] = same ? place[order[k - 1]] : order[k];
   }
   return place;
 }
@@ -50,8 +49,8 @@ std::vector<Edge> sorted_edges(const std::vector<Corners>& triangles) {
 /// Returns the least triangle of the component that contains t, with path compression.
 int find_root(std::vector<int>& above, int t) {
   int top = t;
-  while (above[static_cast<std::size_t>(top)] != top) top = above[static_cast<std::size_t>(top)];
-  while (t != top) t = std::exchange(above[static_cast<std::size_t>(t)], top);
+  while (above[top] != top) top = above[top];
+  while (t != top) t = std::exchange(above[t], top);
   return top;
 }
 
@@ -100,9 +99,7 @@ Mesh make_mesh(const SceneObject& object) {
   const std::vector<int> place = merged_vertex_indices(object.vertices);
   std::vector<Corners> triangles;
   for (const Eigen::Vector3i& t : object.triangles) {
-    const Corners at = {place[static_cast<std::size_t>(t[0])],
-                        place[static_cast<std::size_t>(t[1])],
-                        place[static_cast<std::size_t>(t[2])]};
+    const Corners at = {place[t[0]], place[t[1]], place[t[2]]};
     if (at[0] != at[1] && at[1] != at[2] && at[2] != at[0]) triangles.push_back(at);
   }
   if (triangles.empty()) return mesh;
@@ -116,7 +113,7 @@ Mesh make_mesh(const SceneObject& object) {
     if (!shared(k)) continue;
     const int one = find_root(above, edges[k - 1].triangle),
               other = find_root(above, edges[k].triangle);
-    above[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+    above[std::max(one, other)] = std::min(one, other);
   }
   std::vector<int> part(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -131,14 +128,12 @@ Mesh make_mesh(const SceneObject& object) {
   for (std::size_t begin = 0; begin < edges.size();) {
     std::size_t end = begin + 1;
     while (end < edges.size() && shared(end)) ++end;
-    const int owner = part[static_cast<std::size_t>(edges[begin].triangle)];
-    if ((end - begin) % 2 == 1) mesh.watertight[static_cast<std::size_t>(owner)] = 0;
+    const int owner = part[edges[begin].triangle];
+    if ((end - begin) % 2 == 1) mesh.watertight[owner] = 0;
     begin = end;
   }
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    const auto corner = [&](std::size_t k) {
-      return object.vertices[static_cast<std::size_t>(triangles[t][k])];
-    };
+    const auto corner = [&](std::size_t k) { return object.vertices[triangles[t][k]]; };
     mesh.triangles.push_back({corner(0), corner(1), corner(2), part[t]});
   }
   cluster(mesh);

@@ -83,9 +83,7 @@ class MappingVerifier {
   double tip_orientation_error(std::size_t f, std::size_t tip) const {
     const Quat& goal = plan_.goals.tip_orientation(f, tip);
     const RobotModel::Tip& own = robot_.tips[tip];
-    return is_known(goal)
-               ? rotation_angle(poses_[static_cast<std::size_t>(own.frame)] * own.transform, goal)
-               : kUnknown;
+    return is_known(goal) ? rotation_angle(poses_[own.frame] * own.transform, goal) : kUnknown;
   }
 
   double likeness(std::size_t f) const {

@@ -58,7 +58,7 @@ double surface_distance(const Mesh& mesh, const Segment& segment, double enough)
       best = std::min(best, triangle_distance(mesh.triangles[t], segment));
     }
   };
-  search(static_cast<std::size_t>(nearest - bounds.begin()));
+  search(nearest - bounds.begin());
   for (std::size_t k = 0; k < bounds.size(); ++k) {
     if (bounds[k] < best) search(k);
   }
@@ -112,7 +112,7 @@ bool is_inside(const Mesh& mesh, const Vec3& point) {
                         point.x() > cluster.high.x();
     if (beside) continue;
     for (std::size_t t = cluster.begin; t < cluster.end; ++t) {
-      char& side = odd[static_cast<std::size_t>(mesh.triangles[t].component)];
+      char& side = odd[mesh.triangles[t].component];
       if (ray_hits_triangle(mesh.triangles[t], point)) side = !side;
     }
   }

@@ -8,8 +8,8 @@ namespace {
 
 /// Returns the nearest ancestor of a frame, or the frame itself, that has a joint.
 int nearest_moving_frame(const RobotModel& robot, int frame) {
-  while (frame >= 0 && robot.frames[static_cast<std::size_t>(frame)].joint < 0) {
-    frame = robot.frames[static_cast<std::size_t>(frame)].parent;
+  while (frame >= 0 && robot.frames[frame].joint < 0) {
+    frame = robot.frames[frame].parent;
   }
   return frame;
 }
@@ -18,16 +18,16 @@ int nearest_moving_frame(const RobotModel& robot, int frame) {
 
 std::vector<PadSphere> pad_spheres(const RobotModel& robot) {
   std::vector<Pose> poses;
-  frame_poses(robot, JointVector::Zero(static_cast<Eigen::Index>(robot.joints())), poses);
+  frame_poses(robot, JointVector::Zero(robot.joints()), poses);
   std::vector<PadSphere> balls;
   for (const RobotModel::Tip& tip : robot.tips) {
     PadSphere ball;
     double least = kInfinity;
     for (int c = 0; tip.frame >= 0 && c < static_cast<int>(robot.capsules.size()); ++c) {
-      const RobotModel::Capsule& capsule = robot.capsules[static_cast<std::size_t>(c)];
+      const RobotModel::Capsule& capsule = robot.capsules[c];
       if (nearest_moving_frame(robot, capsule.frame) != nearest_moving_frame(robot, tip.frame))
         continue;
-      const Pose& at_tip = poses[static_cast<std::size_t>(tip.frame)];
+      const Pose& at_tip = poses[tip.frame];
       for (const Vec3* end : {&capsule.from, &capsule.to}) {
         const Vec3 centre = at_tip.inverse() * to_base_frame(poses, capsule.frame, *end);
         const double away = (centre - tip.transform.translation()).norm();

@@ -33,8 +33,7 @@ void verify_mapped_samples(const Plan& plan, ViolationCollector& runs) {
     const auto before = static_cast<Eigen::Index>(at.before);
     const auto after = static_cast<Eigen::Index>(at.after);
     const auto own = (1 - at.share) * mapped.row(before) + at.share * mapped.row(after);
-    const double off =
-        (path.position.row(static_cast<Eigen::Index>(i)) - own).cwiseAbs().maxCoeff();
+    const double off = (path.position.row(i) - own).cwiseAbs().maxCoeff();
     worst = off <= worst ? worst : off;
   }
   if (!(worst <= kMappedPositionTolerance))
@@ -64,13 +63,11 @@ void verify_trajectory_near_path(const RobotModel& robot, const Plan& plan,
   for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
     const NeighbourRows rows =
         neighbour_rows(path.demonstration_time, trajectory.demonstration_time[sample]);
-    const auto block =
-        path.position.middleRows(static_cast<Eigen::Index>(rows.first),
-                                 static_cast<Eigen::Index>(rows.last - rows.first) + 1);
+    const auto block = path.position.middleRows(rows.first, (rows.last - rows.first) + 1);
     const CurvePoint place{static_cast<int>(2 * sample), static_cast<int>(sample),
                            trajectory.time[sample]};
     for (Eigen::Index j = 0; j < most.size(); ++j) {
-      const double q = trajectory.position(static_cast<Eigen::Index>(sample), j);
+      const double q = trajectory.position(sample, j);
       const double off = std::max(block.col(j).minCoeff() - q, q - block.col(j).maxCoeff());
       if (!(off <= most(j))) runs.note("path", "trajectory", place, off, most(j), off);
     }

@@ -105,7 +105,7 @@ bool has_valid_shape(const SceneObject& solid) {
       return t.minCoeff() >= 0 && t.maxCoeff() < vertices;
     };
     const auto corner = [&](const Eigen::Vector3i& t, int k) -> const Vec3& {
-      return solid.vertices[static_cast<std::size_t>(t[k])];
+      return solid.vertices[t[k]];
     };
     const auto wide = [&](const Eigen::Vector3i& t) {
       return corner(t, 0) != corner(t, 1) && corner(t, 1) != corner(t, 2) &&

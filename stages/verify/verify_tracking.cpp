@@ -72,8 +72,7 @@ class TrackingVerifier {
   std::vector<double> errors_at_sample(std::size_t sample) {
     const Trajectory& trajectory = *curve_.trajectory;
     const double time_s = trajectory.demonstration_time[sample];
-    frame_poses(robot_, trajectory.position.row(static_cast<Eigen::Index>(sample)).transpose(),
-                poses_);
+    frame_poses(robot_, trajectory.position.row(sample).transpose(), poses_);
     const double tolerance = tolerance_at(time_s);
     std::vector<double> errors;
     for (std::size_t tip = 0; tip < robot_.tips.size(); ++tip) {
@@ -157,7 +156,7 @@ class TrackingVerifier {
   double max_tip_travel(std::size_t piece, std::size_t tip, double share) const {
     const auto& time = curve_.trajectory->time;
     return share * (time[piece + 1] - time[piece]) *
-           curve_.speed.row(static_cast<Eigen::Index>(piece)).dot(motion_bounds_[tip]);
+           curve_.speed.row(piece).dot(motion_bounds_[tip]);
   }
 
   /// Returns the speed of a goal, plus that of the point of the link to which it applies, between

@@ -20,8 +20,7 @@ std::string unit_in(const Units& units, std::string_view name) {
 bool is_prismatic(const RobotModel& robot, const std::string& subject) {
   return std::ranges::any_of(robot.frames, [&](const RobotModel::Frame& frame) {
     const bool named =
-        frame.name == subject ||
-        (frame.joint >= 0 && robot.joint_names[static_cast<std::size_t>(frame.joint)] == subject);
+        frame.name == subject || (frame.joint >= 0 && robot.joint_names[frame.joint] == subject);
     return named && frame.prismatic;
   });
 }

@@ -114,9 +114,8 @@ class WrenchBoundSearch {
     if (!pressing_.individually_bounded) {
       for (const Vector6& p : points_) middle += p / static_cast<double>(points_.size());
     }
-    Eigen::MatrixXd rows(6, static_cast<Eigen::Index>(points_.size()));
-    for (std::size_t k = 0; k < points_.size(); ++k)
-      rows.col(static_cast<Eigen::Index>(k)) = points_[k] - middle;
+    Eigen::MatrixXd rows(6, points_.size());
+    for (std::size_t k = 0; k < points_.size(); ++k) rows.col(k) = points_[k] - middle;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(rows, Eigen::ComputeFullU);
     Eigen::Index rank = 0;
     while (rank < 6 && svd.singularValues()[rank] > kZeroTolerance * svd.singularValues()[0])
@@ -127,9 +126,9 @@ class WrenchBoundSearch {
 
   std::vector<HullFacet> facets_of_points() const {
     if (base_.cols() < 2) return {};
-    Eigen::MatrixXd columns(base_.cols(), static_cast<Eigen::Index>(points_.size()));
+    Eigen::MatrixXd columns(base_.cols(), points_.size());
     for (std::size_t k = 0; k < points_.size(); ++k)
-      columns.col(static_cast<Eigen::Index>(k)) = base_.transpose() * points_[k];
+      columns.col(k) = base_.transpose() * points_[k];
     return hull_facets(std::move(columns));
   }
 

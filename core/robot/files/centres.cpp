@@ -9,9 +9,7 @@ namespace {
 /// Returns the chain's hinges without those at `skip`, one for each position.
 std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& base_from_frame,
                                  int skip) {
-  const auto origin = [&](int frame) -> Vec3 {
-    return base_from_frame[static_cast<std::size_t>(frame)].translation();
-  };
+  const auto origin = [&](int frame) -> Vec3 { return base_from_frame[frame].translation(); };
   std::vector<int> distinct;
   for (const int hinge : chain.hinges) {
     const auto same = [&](int other) {
@@ -40,8 +38,7 @@ bool is_finger(const RobotModel& table, const Chain& chain) {
 void derive_centres(Assembly& assembly) {
   RobotModel& table = assembly.table;
   std::vector<Pose> base_from_frame;
-  forward_kinematics(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())),
-                     base_from_frame);
+  forward_kinematics(table, JointVector::Zero(table.joints()), base_from_frame);
   std::vector<RobotModel::JointCentre> centres;
   for (const Chain& chain : assembly.chains) {
     const auto before = centres.size();

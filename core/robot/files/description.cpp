@@ -121,7 +121,7 @@ void read_frame_name(const Assembly& assembly, const FileScope& scope,
   if (!root.has(key)) return;
   const int frame = find_frame(assembly, scope, root[key].text());
   if (frame < 0) root[key].fail(fmt::format("there is no frame or link '{}'", root[key].text()));
-  name = assembly.table.frames[static_cast<std::size_t>(frame)].name;
+  name = assembly.table.frames[frame].name;
 }
 
 FileScope read_description(const config::ConfigNode& root, const MountPoint& base,

@@ -11,7 +11,7 @@ namespace morphe::robot {
 namespace {
 
 JointVector vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const JointVector>(values.data(), values.size());
 }
 
 /// Returns the arm that carries the palm, or the first arm if no arm does, and clears the mark of

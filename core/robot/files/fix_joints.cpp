@@ -38,7 +38,7 @@ void remove_joint(Assembly& assembly, int joint, double at) {
     if (frame.joint > joint) --frame.joint;
   }
   std::erase_if(table.coupled_limits, [&](const RobotModel::CoupledLimit& limit) {
-    return table.frames[static_cast<std::size_t>(limit.frame)].joint < 0;
+    return table.frames[limit.frame].joint < 0;
   });
   std::erase_if(table.braking_curves,
                 [&](const RobotModel::BrakingCurve& curve) { return curve.joint == joint; });

@@ -42,8 +42,7 @@ void read_capsule(Assembly& assembly, const FileScope& scope, const config::Conf
 }
 
 int parent_moving_frame(const RobotModel& table, int body) {
-  return body < 0 ? -1
-                  : moving_frame_of(table, table.frames[static_cast<std::size_t>(body)].parent);
+  return body < 0 ? -1 : moving_frame_of(table, table.frames[body].parent);
 }
 
 void allow(RobotModel& table, int first, int second) {
@@ -92,7 +91,7 @@ void read_collision(Assembly& assembly, const FileScope& scope, const config::Co
     for (const config::ConfigNode& name : node["may_touch_target"].items()) {
       assembly.problems.attempt([&] {
         for (const int i : capsules_named(table, scope, name)) {
-          table.capsules[static_cast<std::size_t>(i)].may_touch_target = true;
+          table.capsules[i].may_touch_target = true;
         }
       });
     }
@@ -111,9 +110,9 @@ void allow_frames(RobotModel& table, std::size_t first_capsule, int one, int oth
 void allow_neighbours(RobotModel& table) {
   const int count = static_cast<int>(table.capsules.size());
   for (int i = 0; i < count; ++i) {
-    const int first = moving_frame_of(table, table.capsules[static_cast<std::size_t>(i)].frame);
+    const int first = moving_frame_of(table, table.capsules[i].frame);
     for (int j = i + 1; j < count; ++j) {
-      const int second = moving_frame_of(table, table.capsules[static_cast<std::size_t>(j)].frame);
+      const int second = moving_frame_of(table, table.capsules[j].frame);
       if (first == second || (second >= 0 && parent_moving_frame(table, second) == first) ||
           (first >= 0 && parent_moving_frame(table, first) == second)) {
         allow(table, i, j);

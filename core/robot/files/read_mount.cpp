@@ -27,7 +27,7 @@ void read_matrix(const config::ConfigNode& node, Pose& pose) {
       rows[r].fail(fmt::format("must have {} numbers, not {}", rows.size(), values.size()));
     }
     for (std::size_t c = 0; c < values.size(); ++c) {
-      matrix(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(c)) = values[c];
+      matrix(r, c) = values[c];
     }
   }
   if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) rows[3].fail("must be 0, 0, 0, 1");

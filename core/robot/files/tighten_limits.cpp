@@ -41,18 +41,17 @@ void tighten_position_limits(Assembly& assembly, int joint, const Bounds& bounds
 
 void tighten_rate_limit(Assembly& assembly, double most, std::vector<double>& values, int joint,
                         const char* what, const std::string& by) {
-  double& value = values[static_cast<std::size_t>(joint)];
+  double& value = values[joint];
   if (most >= value) return;
   if (most < value * (1 - kReportTolerance)) {
-    assembly.notes.push_back(fmt::format(
-        "joint {}: {} reduces its {} limit to {:.4g} from {:.4g}",
-        assembly.table.joint_names[static_cast<std::size_t>(joint)], by, what, most, value));
+    assembly.notes.push_back(fmt::format("joint {}: {} reduces its {} limit to {:.4g} from {:.4g}",
+                                         assembly.table.joint_names[joint], by, what, most, value));
   }
   value = most;
 }
 
 void tighten_by_coupling(Assembly& assembly, const RobotModel::CoupledLimit& limit) {
-  const RobotModel::Frame& frame = assembly.table.frames[static_cast<std::size_t>(limit.frame)];
+  const RobotModel::Frame& frame = assembly.table.frames[limit.frame];
   const std::string by = fmt::format("{}, which is coupled to it,", frame.name);
   const auto needs = [&](double value) { return (value - frame.offset) / frame.ratio; };
   const double a = needs(limit.lower), b = needs(limit.upper);
@@ -66,8 +65,7 @@ void tighten_by_coupling(Assembly& assembly, const RobotModel::CoupledLimit& lim
 }
 
 void tighten_by_braking(Assembly& assembly, const RobotModel::BrakingCurve& curve) {
-  const double left =
-      kMinEndVelocityRatio * assembly.velocity[static_cast<std::size_t>(curve.joint)];
+  const double left = kMinEndVelocityRatio * assembly.velocity[curve.joint];
   const double way =
       (left + curve.velocity_offset) * (left + curve.velocity_offset) / curve.twice_deceleration;
   tighten_position_limits(assembly, curve.joint, {curve.lower_end + way, curve.upper_end - way},

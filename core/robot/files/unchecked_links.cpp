@@ -17,7 +17,7 @@ std::vector<int> moving_frames(const RobotModel& table) {
     const int parent = table.frames[f].parent;
     body.push_back(table.frames[f].joint >= 0 ? static_cast<int>(f)
                    : parent < 0               ? -1
-                                              : body[static_cast<std::size_t>(parent)]);
+                                              : body[parent]);
   }
   return body;
 }
@@ -50,9 +50,7 @@ std::map<int, double> extents(const RobotModel& table, const std::vector<int>& b
 std::vector<std::string> unchecked_links(const Assembly& assembly) {
   const RobotModel& table = assembly.table;
   const std::vector<int> body = moving_frames(table);
-  const auto body_of = [&](int frame) {
-    return frame < 0 ? -1 : body[static_cast<std::size_t>(frame)];
-  };
+  const auto body_of = [&](int frame) { return frame < 0 ? -1 : body[frame]; };
   std::set<int> covered_bodies, covered_frames;
   for (const RobotModel::Capsule& capsule : table.capsules) {
     covered_bodies.insert(body_of(capsule.frame));

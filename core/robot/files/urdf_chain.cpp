@@ -13,14 +13,11 @@ constexpr double kParallelSine = 1e-6;
 /// Returns the joints whose axis is not along the line to the next position of the chain.
 std::vector<int> hinges_of(const RobotModel& table, const std::vector<int>& frames) {
   std::vector<Pose> base_from_frame;
-  forward_kinematics(table, JointVector::Zero(static_cast<Eigen::Index>(table.joints())),
-                     base_from_frame);
-  const auto pose = [&](int frame) -> const Pose& {
-    return base_from_frame[static_cast<std::size_t>(frame)];
-  };
+  forward_kinematics(table, JointVector::Zero(table.joints()), base_from_frame);
+  const auto pose = [&](int frame) -> const Pose& { return base_from_frame[frame]; };
   std::vector<int> hinges;
   for (auto frame = frames.begin(); frame != frames.end(); ++frame) {
-    const RobotModel::Frame& f = table.frames[static_cast<std::size_t>(*frame)];
+    const RobotModel::Frame& f = table.frames[*frame];
     const Vec3 here = pose(*frame).translation(), axis = pose(*frame).linear() * f.axis;
     const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
       return (pose(other).translation() - here).norm() > kCoincidentTolerance_m;
@@ -50,7 +47,7 @@ void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::C
   const int first = end("first"), last = end("last");
   if (!is_in_subtree(assembly.table, last, first))
     node["last"].fail("must be a descendant of first");
-  for (int frame = last;; frame = assembly.table.frames[static_cast<std::size_t>(frame)].parent) {
+  for (int frame = last;; frame = assembly.table.frames[frame].parent) {
     chain.frames.push_back(frame);
     if (frame == first) break;
   }

@@ -89,7 +89,7 @@ struct Source {
   }
 
   UrdfExtra& of_link(const std::string& link, std::vector<UrdfExtra>& extras) const {
-    return extras[static_cast<std::size_t>(urdf.links.at(link))];
+    return extras[urdf.links.at(link)];
   }
 };
 

@@ -110,7 +110,7 @@ const UrdfJoint* UrdfModel::joint(const std::string& called) const {
 
 std::vector<std::string> UrdfModel::link_of_frame() const {
   std::vector<std::string> names(table.frames.size());
-  for (const auto& [link, frame] : links) names[static_cast<std::size_t>(frame)] = link;
+  for (const auto& [link, frame] : links) names[frame] = link;
   return names;
 }
 
@@ -134,7 +134,7 @@ UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits
   model.table = std::move(assembly.table);
   model.table.capsules.clear();
   const auto vector = [](const std::vector<double>& values) -> JointVector {
-    return Eigen::Map<const JointVector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    return Eigen::Map<const JointVector>(values.data(), values.size());
   };
   model.table.lower = vector(assembly.lower);
   model.table.upper = vector(assembly.upper);

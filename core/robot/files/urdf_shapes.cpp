@@ -149,7 +149,7 @@ void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem
         assembly.notes.push_back(fmt::format("{}:{}: there is no link '{}'; pair ignored",
                                              file.string(), pair->GetLineNum(), link));
       } else {
-        frames[static_cast<std::size_t>(k)] = found->second;
+        frames[k] = found->second;
       }
     }
     if (known) assembly.allowed_frames.push_back(frames);

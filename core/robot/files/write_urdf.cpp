@@ -130,18 +130,15 @@ struct Writer {
           names[f].joint = free_name(of_urdf ? known.joint : name, "_joint", joints_taken);
       }
     }
-    root = root_frame < 0 ? free_name("base", "_root", links_taken)
-                          : names[static_cast<std::size_t>(root_frame)].link;
+    root = root_frame < 0 ? free_name("base", "_root", links_taken) : names[root_frame].link;
   }
 
-  const std::string& parent_of(int frame) const {
-    return frame < 0 ? root : names[static_cast<std::size_t>(frame)].link;
-  }
+  const std::string& parent_of(int frame) const { return frame < 0 ? root : names[frame].link; }
 
   /// Returns the frame that rotates by the joint's own value: the one with its name, else the
   /// first.
   std::size_t driver_of(int k) const {
-    const std::string& name = robot.joint_names[static_cast<std::size_t>(k)];
+    const std::string& name = robot.joint_names[k];
     std::size_t first = robot.frames.size();
     for (std::size_t f = robot.frames.size(); f-- > 0;) {
       if (robot.frames[f].joint != k) continue;

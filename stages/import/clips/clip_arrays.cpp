@@ -30,8 +30,7 @@ Eigen::Matrix3d matrix_at(const NpyArray& array, std::size_t begin, std::size_t 
   Eigen::Matrix3d matrix;
   for (Eigen::Index row = 0; row < 3; ++row) {
     for (Eigen::Index col = 0; col < 3; ++col) {
-      matrix(row, col) = array.values[begin + static_cast<std::size_t>(row) * row_length +
-                                      static_cast<std::size_t>(col)];
+      matrix(row, col) = array.values[begin + row * row_length + col];
     }
   }
   return matrix;

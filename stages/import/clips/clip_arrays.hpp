@@ -16,7 +16,7 @@ namespace morphe::imports {
 class ClipArrays {
  public:
   /// Any length, for a requested shape.
-  static constexpr std::size_t kAnyLength = static_cast<std::size_t>(-1);
+  static constexpr std::size_t kAnyLength = -1;
 
   /// Takes the arrays of a file.
   explicit ClipArrays(files::NpzFile npz) : npz_(std::move(npz)) {}

@@ -126,7 +126,7 @@ std::optional<RecordedHand> read_clip_hand(ClipArrays& clip, Side side, std::siz
     for (std::size_t k = 0; k < kKeypointCount; ++k) {
       if (order.joint[k] < 0) continue;
       for (std::size_t i = 0; i < rows; ++i) {
-        hand.keypoints(i, k) = joints(i, static_cast<std::size_t>(order.joint[k]));
+        hand.keypoints(i, k) = joints(i, order.joint[k]);
       }
     }
   }

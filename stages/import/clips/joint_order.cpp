@@ -154,10 +154,10 @@ JointOrder order_by_names(const std::vector<std::string>& names,
   order.because = "joint order from the joint names";
   for (std::size_t j = 0; j < names.size(); ++j) {
     const std::optional<int> keypoint = keypoint_from_name(names[j], has_metacarpal);
-    if (!keypoint || (*keypoint >= 0 && order.joint[static_cast<std::size_t>(*keypoint)] >= 0)) {
+    if (!keypoint || (*keypoint >= 0 && order.joint[*keypoint] >= 0)) {
       unknown.push_back(names[j]);
     } else if (*keypoint >= 0) {
-      order.joint[static_cast<std::size_t>(*keypoint)] = static_cast<int>(j);
+      order.joint[*keypoint] = static_cast<int>(j);
     }
   }
   return order;
@@ -169,7 +169,7 @@ double hand_similarity(const Array2D<Vec3>& joints, const std::array<int, kKeypo
   for (std::size_t row = 0; row < joints.rows; row += step) {
     Hand hand;
     for (std::size_t k = 0; k < kKeypointCount; ++k) {
-      hand[k] = order[k] < 0 ? unknown_point() : joints(row, static_cast<std::size_t>(order[k]));
+      hand[k] = order[k] < 0 ? unknown_point() : joints(row, order[k]);
     }
     test_hand_proportions(hand, votes);
   }

@@ -79,7 +79,7 @@ SkeletonSplit split_skeleton(const BodyStream& skeleton) {
       const std::vector<std::string> names = keypoint_names(side);
       const auto found = std::ranges::find(names, skeleton.names[k]);
       if (found != names.end()) {
-        parting.hands[which][static_cast<std::size_t>(found - names.begin())] = static_cast<int>(k);
+        parting.hands[which][found - names.begin()] = static_cast<int>(k);
         in_body = has_rotations(skeleton, k) || confident;
       } else if (skeleton.names[k] == std::string(name_of(side)) + "_hand") {
         parting.turned[which] = static_cast<int>(k);
@@ -96,7 +96,7 @@ void add_hand(const BodyStream& skeleton, const SkeletonSplit& parting, Side sid
   const std::string prefix = clip_prefix(side);
   const auto& joints = parting.hands[which];
   const auto point = [&](std::size_t i, int joint) {
-    return joint < 0 ? unknown_point() : skeleton.position(i, static_cast<std::size_t>(joint));
+    return joint < 0 ? unknown_point() : skeleton.position(i, joint);
   };
   std::vector<double> wrist, all, turns;
   const Eigen::Matrix3d hand_from_wrist = clip_wrist_from_hand(side).transpose();
@@ -104,7 +104,7 @@ void add_hand(const BodyStream& skeleton, const SkeletonSplit& parting, Side sid
     append(point(i, joints[0]), wrist);
     for (const int joint : joints) append(point(i, joint), all);
     if (const int hand = parting.turned[which]; hand >= 0) {
-      const Quat& turn = skeleton.orientation(i, static_cast<std::size_t>(hand));
+      const Quat& turn = skeleton.orientation(i, hand);
       append(matrix_of(turn) * hand_from_wrist, nullptr, turns);
     }
   }

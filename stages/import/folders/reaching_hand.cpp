@@ -60,8 +60,7 @@ std::optional<Side> side_in_point_name(const std::string& name,
 /// less influence.
 double mean_largest_deviation(std::vector<double> wander) {
   const std::size_t count = std::min(kTestedPointCount, wander.size());
-  std::ranges::partial_sort(wander, wander.begin() + static_cast<std::ptrdiff_t>(count),
-                            std::greater<>());
+  std::ranges::partial_sort(wander, wander.begin() + count, std::greater<>());
   double sum = 0;
   for (std::size_t k = 0; k < count; ++k) sum += wander[k];
   return sum / static_cast<double>(kTestedPointCount);

@@ -33,7 +33,7 @@ std::string read_file_head(const std::filesystem::path& file) {
   constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
   std::string head(kHeadSize_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
+  head.resize(stream.gcount());
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
 }
 

@@ -65,8 +65,7 @@ bool is_stationary(const RecordingDescriptor& sketch) {
   std::vector<double> widest = sketch.rms_deviation_m;
   if (widest.empty()) return false;
   const std::size_t count = std::min(kLargestDeviationCount, widest.size());
-  std::ranges::nth_element(widest, widest.begin() + static_cast<std::ptrdiff_t>(count - 1),
-                           std::greater<>());
+  std::ranges::nth_element(widest, widest.begin() + (count - 1), std::greater<>());
   return widest[count - 1] < kMaxStaticDeviation_m;
 }
 

@@ -116,8 +116,8 @@ std::size_t shared_points(const RecordingDescriptor& a, const RecordingDescripto
 }
 
 std::size_t shared_words(const NameWords& a, const NameWords& b) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      a, [&](const NameWord& word) { return std::ranges::find(b, word) != b.end(); }));
+  return std::ranges::count_if(
+      a, [&](const NameWord& word) { return std::ranges::find(b, word) != b.end(); });
 }
 
 /// Returns "ADL001" for "ADL001DR2"; for a folder, its whole name.

@@ -61,7 +61,7 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
   BodyStream wrist{
       {"wrist"}, {}, time, {rows.size(), 1, unknown_point()}, {rows.size(), 1, unknown_rotation()}};
   AngleStream angles{{std::begin(kAdroitJoints), std::end(kAdroitJoints)}, time, {}};
-  angles.angles.resize(static_cast<Eigen::Index>(rows.size()), kAdroitJointCount);
+  angles.angles.resize(rows.size(), kAdroitJointCount);
   HandStream tips{HandKind::fingertips, {}, time, {}, {rows.size(), 5, unknown_point()}};
   SceneObject handle;
   handle.name = "handle";
@@ -80,8 +80,7 @@ Demonstration read_adroit_csv(const RecordingFiles& files) {
     for (std::size_t finger = 0; finger < 5; ++finger) {
       tips.position(i, finger) = world_from_palm * in_palm[finger];
     }
-    angles.angles.row(static_cast<Eigen::Index>(i)) =
-        Eigen::Map<const Eigen::RowVectorXd>(q.data(), kAdroitJointCount);
+    angles.angles.row(i) = Eigen::Map<const Eigen::RowVectorXd>(q.data(), kAdroitJointCount);
     handle.position.push_back(rows[i].handle);
     handle.orientation.push_back(Quat::Identity());
   }

@@ -29,8 +29,7 @@ BodyStream skeleton_names(const BvhFile& bvh, const RecordingFiles& files) {
   for (const BvhJoint& joint : bvh.joints) body.names.push_back(joint.name);
   apply_name_map(bvh.text.file, files.name_map, body.names);
   for (const BvhJoint& joint : bvh.joints) {
-    body.parents.push_back(joint.parent < 0 ? ""
-                                            : body.names[static_cast<std::size_t>(joint.parent)]);
+    body.parents.push_back(joint.parent < 0 ? "" : body.names[joint.parent]);
   }
   return body;
 }
@@ -49,8 +48,7 @@ void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
   for (const auto& [shoulder, elbow] : {std::pair(find("right_shoulder"), find("right_elbow")),
                                         std::pair(find("left_shoulder"), find("left_elbow"))}) {
     if (shoulder == names.end() || elbow == names.end()) continue;
-    const Vec3 upper_arm = rest[static_cast<std::size_t>(elbow - names.begin())] -
-                           rest[static_cast<std::size_t>(shoulder - names.begin())];
+    const Vec3 upper_arm = rest[elbow - names.begin()] - rest[shoulder - names.begin()];
     check("the upper arm", upper_arm.norm(), kUpperArmRange_m);
   }
 }
@@ -149,7 +147,7 @@ Demonstration read_bvh(const RecordingFiles& files) {
   body.orientation = Array2D<Quat>(frames, bvh.joints.size(), unknown_rotation());
   for (std::size_t i = 0; i < frames; ++i) {
     body.time.push_back(static_cast<double>(i) / rate_hz);
-    bvh_forward_kinematics(bvh, bvh.rows.row(static_cast<Eigen::Index>(i)).data(), poses);
+    bvh_forward_kinematics(bvh, bvh.rows.row(i).data(), poses);
     for (std::size_t j = 0; j < bvh.joints.size(); ++j) {
       body.position(i, j) = metres * poses.position[j];
       body.orientation(i, j) = poses.orientation[j];

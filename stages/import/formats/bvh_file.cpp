@@ -233,11 +233,11 @@ BvhFile read_bvh_file(const std::filesystem::path& file) {
   if (row_lines.empty()) text.fail(text.lines.size(), "MOTION", "the file has no frames");
   Eigen::Index channels = 0;
   for (const BvhJoint& joint : bvh.joints) {
-    channels += static_cast<Eigen::Index>(joint.channels.size());
+    channels += joint.channels.size();
   }
-  bvh.rows.resize(static_cast<Eigen::Index>(row_lines.size()), channels);
+  bvh.rows.resize(row_lines.size(), channels);
   for (std::size_t i = 0; i < row_lines.size(); ++i) {
-    read_row(text, row_lines[i], channels, bvh.rows.row(static_cast<Eigen::Index>(i)).data());
+    read_row(text, row_lines[i], channels, bvh.rows.row(i).data());
   }
   return bvh;
 }

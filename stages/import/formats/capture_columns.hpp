@@ -13,7 +13,7 @@ namespace morphe::imports {
 /// The columns of a motion capture table, identified by name in any order. kNoColumn stands for a
 /// missing column.
 struct CaptureColumns {
-  static constexpr std::size_t kNoColumn = static_cast<std::size_t>(-1);  ///< a missing column
+  static constexpr std::size_t kNoColumn = -1;  ///< a missing column
   /// The representation of orientations.
   enum class RotationFormat { none, quaternion, euler };
 

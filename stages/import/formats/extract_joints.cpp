@@ -33,7 +33,7 @@ std::optional<std::vector<std::size_t>> hand_columns(const std::vector<std::stri
   const auto find = [&](const std::string& part) {
     const auto found = std::ranges::find(names, side + "_" + part);
     if (found == names.end()) return false;
-    columns.push_back(static_cast<std::size_t>(found - names.begin()));
+    columns.push_back(found - names.begin());
     return true;
   };
   bool whole = find("wrist");

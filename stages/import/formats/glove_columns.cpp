@@ -25,8 +25,7 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
   hand.names.assign(std::begin(human::kGloveSensors), std::end(human::kGloveSensors));
   hand.time = rows.time;
   const auto n = static_cast<Eigen::Index>(rows.time.size());
-  hand.angles =
-      JointRows::Constant(n, static_cast<Eigen::Index>(human::kGloveSensorCount), kUnknown);
+  hand.angles = JointRows::Constant(n, human::kGloveSensorCount, kUnknown);
   std::vector<std::string> missing(hand.names), never;
   for (const auto& [sensor, column, unit] : columns.glove) {
     const std::string name = human::kGloveSensors[sensor];
@@ -39,17 +38,16 @@ HandStream read_glove_columns(const files::CsvText& csv, const Columns& columns,
     }
     bool once = false;
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double value = rows[static_cast<std::size_t>(i)][column];
+      const double value = rows[i][column];
       if (!std::isfinite(value)) continue;
       once = true;
       const double angle = unit == Unit::raw       ? raw->second.angle(value)
                            : unit == Unit::degrees ? value * std::numbers::pi / 180
                                                    : value;
       if (std::abs(angle) > std::numbers::pi) {
-        csv.fail(static_cast<std::size_t>(i) + 2, columns.names[column],
-                 "is more than 180 degrees; is the unit correct?");
+        csv.fail(i + 2, columns.names[column], "is more than 180 degrees; is the unit correct?");
       }
-      hand.angles(i, static_cast<Eigen::Index>(sensor)) = angle;
+      hand.angles(i, sensor) = angle;
     }
     if (!once) never.push_back(name);
   }

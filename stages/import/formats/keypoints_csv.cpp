@@ -56,7 +56,7 @@ Vec3 read_point(const files::CsvText& csv, std::size_t line,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string_view cell = cells[columns.of_point[point][axis]];
     if (cell.empty() || cell == "nan" || cell == "NaN") continue;
-    result[static_cast<Eigen::Index>(axis)] = csv.number(line, column_name(point, axis), cell);
+    result[axis] = csv.number(line, column_name(point, axis), cell);
     ++filled;
   }
   if (filled != 0 && filled != 3) {

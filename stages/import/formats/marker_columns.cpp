@@ -59,7 +59,7 @@ void read_points(const files::CsvText& csv, std::size_t line,
       if (cells[c].empty() || not_a_number(cells[c])) continue;
       const std::optional<double> value = files::finite_number(cells[c]);
       if (!value) csv.number(line, columns.name(c), cells[c]);  // fails with the location
-      point[static_cast<Eigen::Index>(axis)] = *value * metres;
+      point[axis] = *value * metres;
       ++filled;
     }
     if (filled == 3) {

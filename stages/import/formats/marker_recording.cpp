@@ -139,7 +139,7 @@ void rename_all(const std::string& file, const std::map<std::string, std::string
   std::vector<std::string> all = markers;
   all.insert(all.end(), bodies.begin(), bodies.end());
   apply_name_map(file, renamed, all);
-  const auto first_body = all.begin() + static_cast<std::ptrdiff_t>(markers.size());
+  const auto first_body = all.begin() + markers.size();
   markers.assign(all.begin(), first_body);
   bodies.assign(first_body, all.end());
 }

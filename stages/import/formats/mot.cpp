@@ -169,9 +169,7 @@ Demonstration read_mot(const RecordingFiles& files) {
     }
   }
   if (stream.time.empty()) text.fail(text.lines.size(), "", "the file has no rows");
-  stream.angles =
-      Eigen::Map<const JointRows>(values.data(), static_cast<Eigen::Index>(stream.time.size()),
-                                  static_cast<Eigen::Index>(kept.size()));
+  stream.angles = Eigen::Map<const JointRows>(values.data(), stream.time.size(), kept.size());
   compare_count(text, header, "nRows", stream.time.size(), "rows", reports);
   compare_count(text, header, "nColumns", columns.size(), "columns", reports);
   if (!left_out.empty()) {

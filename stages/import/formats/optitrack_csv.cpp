@@ -91,8 +91,7 @@ Quat rotation_from_numbers(const std::vector<double>& numbers, const std::string
   Quat turn = Quat::Identity();
   for (const char axis : order) {
     const int k = axis - 'X';
-    turn = turn *
-           Eigen::AngleAxisd(numbers[static_cast<std::size_t>(k)] * kRadPerDegree, Vec3::Unit(k));
+    turn = turn * Eigen::AngleAxisd(numbers[k] * kRadPerDegree, Vec3::Unit(k));
   }
   return turn;
 }

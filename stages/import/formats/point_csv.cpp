@@ -36,7 +36,7 @@ Vec3 point_in_row(const files::CsvText& text, std::size_t line,
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const std::string& cell = cells[point.at[axis]];
     if (is_missing_value(cell)) continue;
-    result[static_cast<Eigen::Index>(axis)] =
+    result[axis] =
         cell_number(text, line, fmt::format("{}.{}", point.name, "xyz"[axis]), cell, header);
     ++filled;
   }

@@ -113,7 +113,7 @@ void take_points(const files::CsvText& text, std::size_t line,
       if (reading.axis < 0 || reading.name.empty()) continue;
       auto [entry, is_new] = found.try_emplace(reading.name);
       if (is_new) order.push_back(reading.name);
-      std::optional<std::size_t>& at = entry->second.at[static_cast<std::size_t>(reading.axis)];
+      std::optional<std::size_t>& at = entry->second.at[reading.axis];
       if (at) text.fail(line, labels[c].text, "the column appears twice");
       at = c;
     }

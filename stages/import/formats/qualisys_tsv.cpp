@@ -116,7 +116,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::string_view cell = cells[leading + 3 * k + axis];
         if (is_missing_value(cell)) continue;
-        point[static_cast<Eigen::Index>(axis)] = text.number(line, header.markers[k], cell);
+        point[axis] = text.number(line, header.markers[k], cell);
         ++filled;
       }
       if (filled == 3) stream.position(row, k) = metres * point;

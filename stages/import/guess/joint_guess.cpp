@@ -16,10 +16,10 @@ struct SkeletonNames {
 
   std::optional<std::size_t> above(std::size_t joint) const {
     if (parent[joint] < 0) return std::nullopt;
-    return static_cast<std::size_t>(parent[joint]);
+    return parent[joint];
   }
   bool below(std::size_t joint, std::size_t ancestor) const {
-    for (int at = parent[joint]; at >= 0; at = parent[static_cast<std::size_t>(at)]) {
+    for (int at = parent[joint]; at >= 0; at = parent[at]) {
       if (static_cast<std::size_t>(at) == ancestor) return true;
     }
     return false;
@@ -35,7 +35,7 @@ SkeletonNames skeleton_of(const std::vector<std::string>& names,
     const auto found = at.find(parents[j]);
     const int parent = found == at.end() ? -1 : found->second;
     skeleton.parent.push_back(parent);
-    skeleton.depth.push_back(parent < 0 ? 0 : skeleton.depth[static_cast<std::size_t>(parent)] + 1);
+    skeleton.depth.push_back(parent < 0 ? 0 : skeleton.depth[parent] + 1);
     at.emplace(names[j], static_cast<int>(j));
   }
   return skeleton;

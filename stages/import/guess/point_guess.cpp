@@ -50,7 +50,7 @@ std::string finger_joint_of(const RecordedWords& w, std::size_t which) {
   if (w.has(dip) || w.has(distal)) return joints[2];
   if (w.numbers.empty()) return joints[3];
   const int number = w.numbers.back();
-  return number >= 1 && number <= 4 ? joints[static_cast<std::size_t>(number - 1)] : "";
+  return number >= 1 && number <= 4 ? joints[number - 1] : "";
 }
 
 PointAssignment classify_finger_point(const RecordedWords& w) {

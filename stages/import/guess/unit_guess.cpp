@@ -102,7 +102,7 @@ Guess guess_rate(const RecordedPoints& points, double unit_m) {
     speeds.push_back(fastest * unit_m);
   }
   if (speeds.empty()) return {};
-  const auto at = speeds.begin() + static_cast<std::ptrdiff_t>(speeds.size() * 95 / 100);
+  const auto at = speeds.begin() + (speeds.size() * 95 / 100);
   std::ranges::nth_element(speeds, at);
   constexpr double kUsualRates_hz[] = {30, 60, 100, 120, 200, 240}, kReachSpeed_m_s = 1;
   const double rate = *std::ranges::min_element(kUsualRates_hz, {}, [&](double hz) {

@@ -65,7 +65,7 @@ void remove_counters(std::vector<NameWord>& words) {
       ++i;
       continue;
     }
-    const auto here = words.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto here = words.begin() + i;
     words.erase(here, i + 1 < words.size() && words[i + 1].number ? here + 2 : here + 1);
   }
 }
@@ -113,7 +113,7 @@ StaticTrialName parse_static_name(std::string_view name) {
   if (!found.is_static || !found.person_words.empty()) return found;
   // The number in "Static 01" is a counter.
   while (behind < words.size() && words[behind].number) ++behind;
-  found.person_words.assign(words.begin() + static_cast<std::ptrdiff_t>(behind), words.end());
+  found.person_words.assign(words.begin() + behind, words.end());
   remove_counters(found.person_words);
   return found;
 }

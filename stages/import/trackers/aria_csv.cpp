@@ -65,7 +65,7 @@ void read_hand(const NamedColumns& columns, std::size_t line,
   const KeypointOrder& order = *keypoint_order("aria");
   for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] >= 0) {
-      hand.keypoints(i, k) = point(at.landmarks[static_cast<std::size_t>(order.joint[k])]);
+      hand.keypoints(i, k) = point(at.landmarks[order.joint[k]]);
     }
   }
 }

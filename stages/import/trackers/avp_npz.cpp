@@ -44,8 +44,8 @@ MatrixTable matrices_in(const files::NpzFile& npz, const std::string& key) {
 /// InputError for a matrix that is not a rigid motion.
 std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table, std::size_t row,
                             std::size_t joint) {
-  const auto begin = table.array->values.begin() +
-                     static_cast<std::ptrdiff_t>(kMatrixValueCount * (row * table.joints + joint));
+  const auto begin =
+      table.array->values.begin() + (kMatrixValueCount * (row * table.joints + joint));
   const std::vector<double> numbers(begin, begin + kMatrixValueCount);
   if (std::ranges::any_of(numbers, [](double v) { return std::isnan(v); }) ||
       std::ranges::all_of(numbers, [](double v) { return v == 0; })) {
@@ -77,7 +77,7 @@ RecordedHand read_hand(const files::NpzFile& npz, const StreamKeys& keys, std::s
     if (is_unset_pose(wrist)) continue;
     hand.keypoints(i, 0) = frame.point(wrist->translation());
     for (std::size_t k = 1; k < kKeypointCount && keys.fingers.joints > 0; ++k) {
-      const auto joint = pose_in(npz, keys.fingers, i, static_cast<std::size_t>(order.joint[k]));
+      const auto joint = pose_in(npz, keys.fingers, i, order.joint[k]);
       if (joint) hand.keypoints(i, k) = frame.point(*wrist * joint->translation());
     }
   }

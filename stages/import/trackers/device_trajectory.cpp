@@ -72,7 +72,7 @@ DeviceTrajectory read_device_trajectory(const std::filesystem::path& file) {
     if (line == columns.first_row()) {
       last_uid = row[uid];
       for (std::size_t k = 0; k < 3; ++k) {
-        trajectory.gravity[static_cast<Eigen::Index>(k)] = columns.number(line, row, gravity[k]);
+        trajectory.gravity[k] = columns.number(line, row, gravity[k]);
       }
     } else if (time_s < trajectory.time.back()) {
       csv.fail(line, "tracking_timestamp_us", "must be greater than in the previous row");

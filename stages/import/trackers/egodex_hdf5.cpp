@@ -73,7 +73,7 @@ Track read_track(const Episode& episode, const std::string& plain) {
   const std::string& name = found->second;
   const auto matrices = episode.transforms.read<double>(name, {episode.rows, 4, 4});
   for (std::size_t i = 0; i < episode.rows; ++i) {
-    const auto begin = matrices.values.begin() + static_cast<std::ptrdiff_t>(16 * i);
+    const auto begin = matrices.values.begin() + (16 * i);
     const auto pose = pose_from_matrix(std::vector<double>(begin, begin + 16), false);
     if (!pose) episode.transforms.fail(name, fmt::format("row {} is not a rigid transform", i));
     track.pose.push_back(*pose);

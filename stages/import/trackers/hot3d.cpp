@@ -56,8 +56,7 @@ void read_hand(const JsonNode& pose, const UmetrackHand& model, Side side, std::
   const KeypointOrder& order = *keypoint_order("aria");
   for (std::size_t k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] < 0) continue;
-    hand.keypoints(row, k) =
-        frame.point(points.landmarks[static_cast<std::size_t>(order.joint[k])]);
+    hand.keypoints(row, k) = frame.point(points.landmarks[order.joint[k]]);
   }
   hand.keypoints(row, 1) = frame.point(points.thumb_cmc);
 }

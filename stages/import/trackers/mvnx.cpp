@@ -30,7 +30,7 @@ constexpr const char* kFingerOrdinals[] = {"First", "Second", "Third", "Fourth",
 std::optional<std::size_t> find(const MvnxSegments& segments, const std::string& label) {
   const auto found = std::ranges::find(segments.labels, label);
   if (found == segments.labels.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - segments.labels.begin());
+  return found - segments.labels.begin();
 }
 
 BodyStream body_of(const MvnxFile& mvnx, const TrackerFrame& frame) {
