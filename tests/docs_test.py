@@ -489,7 +489,7 @@ PLANTED = [
     ("| `rate_hz` | 100 | of the clock that every stream is brought to |\n", "", False),
     ("of the clock that every stream is brought to |", "|", False),
     ("of the clock that every stream is brought to |", "– |", False),
-    ("reconstruct.hpp HumanOptions", "reconstruct.hpp HumanOption", False),
+    ("reconstruct_options.hpp HumanOptions", "reconstruct_options.hpp HumanOption", False),
 ]
 
 

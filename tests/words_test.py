@@ -14,7 +14,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LAYERS = ("core", "stages", "pipeline")
-TABLE = re.compile(r"names_of\((\w+)\)\s*\{\s*return\s*\{(.*?)\}", re.S)
+TABLE = re.compile(r"names_of\((\w+)\)\s*\{\s*(?://[^\n]*\n\s*)*return\s*\{(.*?)\}", re.S)
 # Words that are also the names of other things: of an object, of a chain of joints, of a kind of
 # obstacle that a study puts there. Where they are meant stands beside them.
 OTHERS = {

@@ -2,7 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <limits>
+
+#include "core/motion/geometry.hpp"
 
 namespace morphe::closure {
 namespace {
@@ -11,21 +12,16 @@ namespace {
 double cone_slack(double outer, double inner) { return (outer - inner) * (outer + inner); }
 
 /// Returns the value of the barrier function, infinity outside the feasible set.
-double value(const BarrierProblem& problem, double t, const Eigen::VectorXd& x) {
-  constexpr double outside = std::numeric_limits<double>::infinity();
+double barrier_value(const BarrierProblem& problem, double t, const Eigen::VectorXd& x) {
   double sum = t * (0.5 * x.dot(problem.hessian * x) + problem.gradient.dot(x));
-  const auto keep_inside = [&](double outer, double inner) {
-    const double left = cone_slack(outer, inner);
-    sum = outer > 0 && left > 0 && sum < outside ? sum - std::log(left) : outside;
+  const auto add_cone = [&](double outer, double inner) {
+    const double slack = cone_slack(outer, inner);
+    sum = outer > 0 && slack > 0 && sum < kInfinity ? sum - std::log(slack) : kInfinity;
   };
-  for (Eigen::Index k = 0; k < problem.cones; ++k) {
-    keep_inside(x[4 * k], x.segment<3>(4 * k + 1).norm());
-  }
-  keep_inside(x[x.size() - 1], (problem.residual_matrix * x + problem.residual_offset).norm());
-  const Eigen::VectorXd left = problem.row_bounds - problem.rows * x;
-  for (const double slack : left) {
-    sum = slack > 0 && sum < outside ? sum - std::log(slack) : outside;
-  }
+  for (int k = 0; k < problem.cones; ++k) add_cone(x[4 * k], x.segment<3>(4 * k + 1).norm());
+  add_cone(x[x.size() - 1], (problem.residual_matrix * x + problem.residual_offset).norm());
+  const Eigen::VectorXd slacks = problem.row_bounds - problem.rows * x;
+  for (const double s : slacks) sum = s > 0 && sum < kInfinity ? sum - std::log(s) : kInfinity;
   return sum;
 }
 
@@ -36,12 +32,12 @@ struct ConeTerm {
   Eigen::Matrix<double, Size, Size> hessian;
 
   explicit ConeTerm(const Eigen::Matrix<double, Size, 1>& x) {
-    const double left = cone_slack(x[0], x.template tail<Size - 1>().norm());
-    gradient = 2 / left * x;
+    const double slack = cone_slack(x[0], x.template tail<Size - 1>().norm());
+    gradient = 2 / slack * x;
     gradient[0] = -gradient[0];
     hessian = gradient * gradient.transpose();
-    hessian.diagonal().template tail<Size - 1>().array() += 2 / left;
-    hessian(0, 0) = 2 * x.squaredNorm() / (left * left);  // without cancellation
+    hessian.diagonal().template tail<Size - 1>().array() += 2 / slack;
+    hessian(0, 0) = 2 * x.squaredNorm() / (slack * slack);  // without cancellation
   }
 };
 
@@ -59,9 +55,9 @@ Eigen::VectorXd newton_step(const BarrierProblem& problem, double t, const Eigen
   // The bound of |A x + b| is the last unknown, for which A has a column of zeros.
   Eigen::MatrixXd chain(7, n);
   chain << Eigen::RowVectorXd::Unit(n, n - 1), problem.residual_matrix;
-  Eigen::Matrix<double, 7, 1> rest = chain * x;
-  rest.tail<6>() += problem.residual_offset;
-  const ConeTerm<7> term(rest);
+  Eigen::Matrix<double, 7, 1> residual = chain * x;
+  residual.tail<6>() += problem.residual_offset;
+  const ConeTerm<7> term(residual);
   gradient += chain.transpose() * term.gradient;
   hessian += chain.transpose() * term.hessian * chain;
   const Eigen::VectorXd inverse = (problem.row_bounds - problem.rows * x).cwiseInverse();
@@ -80,30 +76,30 @@ Eigen::VectorXd newton_step(const BarrierProblem& problem, double t, const Eigen
 }  // namespace
 
 bool minimise_with_barrier(const BarrierProblem& problem, Eigen::VectorXd& x) {
-  constexpr double last = 1e6;
-  constexpr int most_steps = 50, most_halvings = 40;
-  bool settled = true;
-  for (double t = 1; t <= last; t *= 10) {
-    settled = false;
-    for (int k = 0; k < most_steps && !settled; ++k) {
+  constexpr double kLastWeight = 1e6;
+  constexpr int kMaxSteps = 50, kMaxHalvings = 40;
+  bool converged = true;
+  for (double t = 1; t <= kLastWeight; t *= 10) {
+    converged = false;
+    for (int k = 0; k < kMaxSteps && !converged; ++k) {
       double decrement = 0;
       const Eigen::VectorXd step = newton_step(problem, t, x, decrement);
-      const double before = value(problem, t, x);
-      // Decreases below the rounding of the value cannot be achieved.
-      settled = std::abs(decrement) <= 1e-2 + 1e-13 * std::abs(before);
-      if (settled || !(decrement > 0)) break;
+      const double old_value = barrier_value(problem, t, x);
+      // A decrease below the rounding of the value cannot be achieved.
+      converged = std::abs(decrement) <= 1e-2 + 1e-13 * std::abs(old_value);
+      if (converged || !(decrement > 0)) break;
       double length = 1;
       int halvings = 0;
-      while (halvings < most_halvings &&
-             !(value(problem, t, x + length * step) <= before - 0.1 * length * decrement)) {
+      while (halvings < kMaxHalvings && !(barrier_value(problem, t, x + length * step) <=
+                                          old_value - 0.1 * length * decrement)) {
         length *= 0.5;
         ++halvings;
       }
-      if (halvings == most_halvings) break;
+      if (halvings == kMaxHalvings) break;
       x += length * step;
     }
   }
-  return settled;
+  return converged;
 }
 
 }  // namespace morphe::closure

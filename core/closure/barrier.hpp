@@ -18,9 +18,9 @@ struct BarrierProblem {
 };
 
 /// Solves the problem by a barrier method: Newton's method on t times the objective minus the
-/// logarithms of the constraints' slacks, with t increasing tenfold up to 1e6 (Boyd and
+/// logarithms of the constraints' slacks, with t increasing tenfold from 1 to 1e6 (Boyd and
 /// Vandenberghe 2004, chapter 11). The initial x must be strictly feasible, and x remains so.
-/// Returns false if the last t does not converge within 50 steps.
+/// Returns false if Newton's method does not converge for the last t.
 bool minimise_with_barrier(const BarrierProblem& problem, Eigen::VectorXd& x);
 
 }  // namespace morphe::closure

@@ -7,7 +7,7 @@
 
 namespace morphe::closure {
 
-/// Bounds lower <= value <= upper, and the twist u for which h(u) gives the upper bound.
+/// Bounds lower <= value <= upper, and the twist u whose h(u) (wrench_set.hpp) gives `upper`.
 struct Bounds {
   double lower = -kInfinity, upper = kInfinity;
   Wrench direction = Wrench::Zero();
@@ -21,12 +21,10 @@ struct Bounds {
   }
 };
 
-/// The required accuracy of bounds: upper - lower is at most `absolute`, or at most `relative`
-/// times the smaller of their magnitudes. Searches that reach `max_insertions` end with the bounds
-/// found so far.
+/// The required accuracy of bounds: upper - lower is at most `absolute` or, for bounds of one sign,
+/// `relative` times the smaller magnitude. Searches end after `max_insertions` anyway.
 struct BoundTolerance {
-  double relative = 0.05;
-  double absolute = 1e-3;
+  double relative = 0.05, absolute = 1e-3;
   int max_insertions = 400;
 };
 
@@ -34,8 +32,8 @@ struct BoundTolerance {
 inline bool is_within_tolerance(const Bounds& bounds, const BoundTolerance& tolerance) {
   const double gap = bounds.upper - bounds.lower;
   const bool same_sign = bounds.lower > 0 || bounds.upper < 0;
-  const double least = std::min(std::abs(bounds.lower), std::abs(bounds.upper));
-  return gap <= tolerance.absolute || (same_sign && gap <= tolerance.relative * least);
+  const double min_magnitude = std::min(std::abs(bounds.lower), std::abs(bounds.upper));
+  return gap <= tolerance.absolute || (same_sign && gap <= tolerance.relative * min_magnitude);
 }
 
 }  // namespace morphe::closure

@@ -10,17 +10,14 @@ namespace morphe::closure {
 /// A force [N] and the torque about the reference point, divided by the torque scale [N]. Twists,
 /// the dual vectors of wrenches, have the same type: u·w with u = (u_f, u_t).
 using Wrench = Eigen::Matrix<double, 6, 1>;
-/// Up to seven wrenches as columns. The fixed maximum size lets Eigen compile one factorisation for
-/// all callers that solve with such columns.
+/// Up to seven wrenches as columns; with this maximum Eigen compiles one factorisation for all.
 using WrenchColumns = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 7>;
 
 /// A contact of a finger with the object, in the object's frame.
 struct Contact {
   Vec3 point;   ///< on the surface [m]
   Vec3 normal;  ///< unit vector into the object, the direction of the finger's force
-  /// For ForceLimit::each: the limit of its normal force relative to that of a contact with share
-  /// 1.
-  double force_limit_share = 1;
+  double force_limit_share = 1;  ///< for ForceLimit::each: limit of its normal force
 };
 
 /// The friction of a soft finger with an elliptic cone: |f_t|^2 / mu^2 + m^2 / gamma^2 <= f_n^2 for
@@ -44,15 +41,15 @@ struct ContactSet {
 /// functions of this folder require a valid set.
 std::string validation_error(const ContactSet& set);
 
-/// Returns the scaled moment arm r = (p - c) / rho.
+/// Returns r = (p - c) / rho of the contact's point p, the reference c and the torque scale rho.
 inline Vec3 moment_arm(const ContactSet& set, const Contact& contact) {
   return (contact.point - set.reference) / set.torque_scale_m;
 }
 
-/// Returns the wrench (f, r × f) of a force at a contact.
-inline Wrench wrench_of(const Vec3& force, const Vec3& lever) {
+/// Returns the wrench (f, r × f) of a force at a contact, from the arm r already divided by rho.
+inline Wrench wrench_of(const Vec3& force, const Vec3& scaled_arm) {
   Wrench wrench;
-  wrench << force, lever.cross(force);
+  wrench << force, scaled_arm.cross(force);
   return wrench;
 }
 

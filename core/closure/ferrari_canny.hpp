@@ -5,7 +5,7 @@
 
 namespace morphe::closure {
 
-/// The signed quality epsilon of Ferrari and Canny (1992): min over |u| = 1 of h(u), with certified
+/// The signed quality epsilon of Ferrari and Canny (1992), min h(u) over |u| = 1, with certified
 /// lower and upper bounds.
 ///
 /// If positive, it is the radius of the largest ball around 0 inside the wrench set: the smallest
@@ -28,7 +28,7 @@ struct FerrariCanny {
   double residual() const { return lower < 0 ? -lower : 0; }
 };
 
-/// Computes epsilon of a grasp.
+/// Computes epsilon of a grasp; without contacts it is exactly 0.
 FerrariCanny ferrari_canny(const ContactSet& contacts, ForceLimit limit,
                            const BoundTolerance& tolerance = {});
 

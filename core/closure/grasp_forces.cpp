@@ -10,8 +10,7 @@ namespace morphe::closure {
 namespace {
 
 constexpr double kResidualWeight = 100, kEvennessWeight = 1e-2, kFrictionWeight = 1e-3;
-/// Target of the normal forces relative to the largest force. It is infeasible, so that the active
-/// bounds are reached closely.
+/// Target of F, and of f_n / F: above their bounds of 1, so that these are closely reached.
 constexpr double kForceTargetRatio = 2;
 
 /// The unknowns: four per contact (normal force; both tangential forces divided by
@@ -22,8 +21,8 @@ struct Unknowns {
   WrenchSet set;
   double tangential, moment_m;  ///< value of an unknown of 1
 
-  Eigen::Index first(std::size_t contact) const { return 4 * static_cast<Eigen::Index>(contact); }
-  Eigen::Index level() const { return first(set.cones.size()); }
+  Eigen::Index first(Eigen::Index contact) const { return 4 * contact; }
+  Eigen::Index level() const { return first(std::ssize(set.cones)); }
   Eigen::Index residual_bound() const { return level() + 1; }
   Eigen::Index count() const { return level() + 2; }
 };
@@ -31,19 +30,19 @@ struct Unknowns {
 /// Returns the matrix [6, unknowns] that maps the unknowns to their wrench.
 Eigen::MatrixXd wrench_matrix(const Unknowns& unknowns) {
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, unknowns.count());
-  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+  for (int k = 0; k < std::ssize(unknowns.set.cones); ++k) {
     const WrenchSet::Cone& cone = unknowns.set.cones[k];
-    const Eigen::Index at = unknowns.first(k);
-    matrix.col(at) = wrench_of(cone.normal, cone.lever);
-    matrix.col(at + 1) = unknowns.tangential * wrench_of(cone.tangent_a, cone.lever);
-    matrix.col(at + 2) = unknowns.tangential * wrench_of(cone.tangent_b, cone.lever);
-    matrix.col(at + 3).tail<3>() =
+    const Eigen::Index first = unknowns.first(k);
+    matrix.col(first) = wrench_of(cone.normal, cone.scaled_arm);
+    matrix.col(first + 1) = unknowns.tangential * wrench_of(cone.tangent_a, cone.scaled_arm);
+    matrix.col(first + 2) = unknowns.tangential * wrench_of(cone.tangent_b, cone.scaled_arm);
+    matrix.col(first + 3).tail<3>() =
         unknowns.moment_m / unknowns.contacts.torque_scale_m * cone.normal;
   }
   return matrix;
 }
 
-/// Sets the objective 1/2 x^T H x + g^T x; `load` is divided by max_force_n.
+/// Sets the objective 1/2 x^T H x + g^T x and the residual; `load` is divided by max_force_n.
 void add_objective(const Unknowns& unknowns, const Wrench& load, BarrierProblem& problem) {
   problem.residual_matrix = wrench_matrix(unknowns);
   problem.residual_offset = load;
@@ -53,20 +52,20 @@ void add_objective(const Unknowns& unknowns, const Wrench& load, BarrierProblem&
   const Eigen::Index level = unknowns.level();
   problem.hessian(level, level) += 1;
   problem.gradient[level] -= kForceTargetRatio;
-  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
-    const Eigen::Index at = unknowns.first(k);
-    problem.hessian(at, at) += kEvennessWeight;
+  for (int k = 0; k < std::ssize(unknowns.set.cones); ++k) {
+    const Eigen::Index first = unknowns.first(k);
+    problem.hessian(first, first) += kEvennessWeight;
     problem.hessian(level, level) += kForceTargetRatio * kForceTargetRatio * kEvennessWeight;
-    problem.hessian(at, level) -= kForceTargetRatio * kEvennessWeight;
-    problem.hessian(level, at) -= kForceTargetRatio * kEvennessWeight;
-    for (Eigen::Index j = 1; j < 4; ++j) problem.hessian(at + j, at + j) += kFrictionWeight;
+    problem.hessian(first, level) -= kForceTargetRatio * kEvennessWeight;
+    problem.hessian(level, first) -= kForceTargetRatio * kEvennessWeight;
+    for (int j = 1; j < 4; ++j) problem.hessian(first + j, first + j) += kFrictionWeight;
   }
 }
 
 void add_bounds(const Unknowns& unknowns, const GraspForceOptions& options,
                 const std::vector<ForceBound>& bounds, BarrierProblem& problem) {
-  const auto n = static_cast<Eigen::Index>(unknowns.set.cones.size());
-  problem.rows = Eigen::MatrixXd::Zero(2 * n + 1 + bounds.size(), unknowns.count());
+  const Eigen::Index n = std::ssize(unknowns.set.cones);
+  problem.rows = Eigen::MatrixXd::Zero(2 * n + 1 + std::ssize(bounds), unknowns.count());
   problem.row_bounds = Eigen::VectorXd::Zero(problem.rows.rows());
   for (Eigen::Index k = 0; k < n; ++k) {
     problem.rows(2 * k, 4 * k) = -1;  // share F <= f_n
@@ -78,15 +77,14 @@ void add_bounds(const Unknowns& unknowns, const GraspForceOptions& options,
   problem.row_bounds[2 * n] = 1;
   Eigen::Index row = 2 * n + 1;
   for (const ForceBound& bound : bounds) {
-    assert(bound.upper_bound > 0 && bound.force.size() == unknowns.set.cones.size() &&
-           bound.moment.size() == unknowns.set.cones.size());
-    for (std::size_t k = 0; k < bound.force.size(); ++k) {
+    assert(bound.upper_bound > 0 && std::ssize(bound.force) == n && std::ssize(bound.moment) == n);
+    for (int k = 0; k < n; ++k) {
       const WrenchSet::Cone& cone = unknowns.set.cones[k];
-      const Eigen::Index at = unknowns.first(k);
-      problem.rows(row, at) = bound.force[k].dot(cone.normal);
-      problem.rows(row, at + 1) = unknowns.tangential * bound.force[k].dot(cone.tangent_a);
-      problem.rows(row, at + 2) = unknowns.tangential * bound.force[k].dot(cone.tangent_b);
-      problem.rows(row, at + 3) = unknowns.moment_m * bound.moment[k];
+      const Eigen::Index first = unknowns.first(k);
+      problem.rows(row, first) = bound.force[k].dot(cone.normal);
+      problem.rows(row, first + 1) = unknowns.tangential * bound.force[k].dot(cone.tangent_a);
+      problem.rows(row, first + 2) = unknowns.tangential * bound.force[k].dot(cone.tangent_b);
+      problem.rows(row, first + 3) = unknowns.moment_m * bound.moment[k];
     }
     problem.row_bounds[row++] = bound.upper_bound / options.max_force_n;
   }
@@ -97,16 +95,14 @@ Eigen::VectorXd feasible_start(const Unknowns& unknowns, double share,
                                const BarrierProblem& problem) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(unknowns.count());
   x[unknowns.level()] = 1;
-  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
-    x[unknowns.first(k)] = 0.5 * (1 + share);
-  }
-  double size = 0.5;
+  for (int k = 0; k < std::ssize(unknowns.set.cones); ++k) x[unknowns.first(k)] = 0.5 * (1 + share);
+  double scale = 0.5;
   for (Eigen::Index row = 0; row < problem.rows.rows(); ++row) {
-    const double taken = problem.rows.row(row).dot(x);
-    if (problem.row_bounds[row] > 0 && taken > 0)
-      size = std::min(size, 0.5 * problem.row_bounds[row] / taken);
+    const double row_value = problem.rows.row(row).dot(x);
+    if (problem.row_bounds[row] > 0 && row_value > 0)
+      scale = std::min(scale, 0.5 * problem.row_bounds[row] / row_value);
   }
-  x *= size;
+  x *= scale;
   x[unknowns.residual_bound()] =
       1 + 2 * (problem.residual_matrix * x + problem.residual_offset).norm();
   return x;
@@ -127,24 +123,24 @@ GraspForces distribute_grasp_forces(const ContactSet& contacts, const Wrench& lo
                           options.friction_cone_share * contacts.friction.mu,
                           options.friction_cone_share * contacts.friction.gamma_m};
   BarrierProblem problem;
-  problem.cones = unknowns.set.cones.size();
+  problem.cones = std::ssize(unknowns.set.cones);
   add_objective(unknowns, load / options.max_force_n, problem);
   add_bounds(unknowns, options, bounds, problem);
   Eigen::VectorXd x = feasible_start(unknowns, options.min_force_share, problem);
   squeeze.converged = minimise_with_barrier(problem, x);
 
   squeeze.min_force_n = kInfinity;
-  for (std::size_t k = 0; k < unknowns.set.cones.size(); ++k) {
+  for (int k = 0; k < std::ssize(unknowns.set.cones); ++k) {
     const WrenchSet::Cone& cone = unknowns.set.cones[k];
-    const Eigen::Vector4d at = options.max_force_n * x.segment<4>(unknowns.first(k));
+    const Eigen::Vector4d y = options.max_force_n * x.segment<4>(unknowns.first(k));
     ContactForce force;
-    force.force = at[0] * cone.normal +
-                  unknowns.tangential * (at[1] * cone.tangent_a + at[2] * cone.tangent_b);
-    force.moment_nm = unknowns.moment_m * at[3];
-    squeeze.residual += wrench_of(force.force, cone.lever);
+    force.force =
+        y[0] * cone.normal + unknowns.tangential * (y[1] * cone.tangent_a + y[2] * cone.tangent_b);
+    force.moment_nm = unknowns.moment_m * y[3];
+    squeeze.residual += wrench_of(force.force, cone.scaled_arm);
     squeeze.residual.tail<3>() += force.moment_nm / contacts.torque_scale_m * cone.normal;
-    squeeze.max_force_n = std::max(squeeze.max_force_n, at[0]);
-    squeeze.min_force_n = std::min(squeeze.min_force_n, at[0]);
+    squeeze.max_force_n = std::max(squeeze.max_force_n, y[0]);
+    squeeze.min_force_n = std::min(squeeze.min_force_n, y[0]);
     squeeze.forces.push_back(force);
   }
   return squeeze;

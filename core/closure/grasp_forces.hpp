@@ -12,39 +12,36 @@ struct ContactForce {
   double moment_nm = 0;       ///< about the contact's normal [N m]
 };
 
-/// The constraint sum_i force_row_i · force_i + moment_i · moment_nm_i <= upper_bound, with
-/// upper_bound > 0. It is the torque limit of a joint, with a row of J^T (and a second one with
-/// opposite signs for the other direction), or the force limit of a finger.
+/// The constraint sum_i force[i] · f_i + moment[i] m_i <= upper_bound, above 0, on the contacts'
+/// forces [N] and moments [N m]. It is the torque limit of a joint, with a row of J^T (and a second
+/// one with opposite signs for the other direction), or the force limit of a finger.
 struct ForceBound {
-  std::vector<Vec3> force;     ///< one per contact
-  std::vector<double> moment;  ///< one per contact [1/m]
+  std::vector<Vec3> force;     ///< one per contact [unit of upper_bound per N]
+  std::vector<double> moment;  ///< one per contact [unit of upper_bound per N m]
   double upper_bound = 0;
 };
 
 /// The options of distribute_grasp_forces().
 struct GraspForceOptions {
-  double max_force_n = 5;  ///< largest normal force of a contact [N], > 0
-  /// Smallest normal force of a contact relative to the largest, in [0, 1).
-  double min_force_share = 0.3;
-  double friction_cone_share = 0.7;  ///< share of the friction cone that forces may use, in (0, 1]
+  double max_force_n = 5;            ///< largest normal force of a contact, > 0
+  double min_force_share = 0.3;      ///< smallest normal force relative to the largest, in [0, 1)
+  double friction_cone_share = 0.7;  ///< used share of mu and gamma, in (0, 1]
 };
 
 /// Contact forces that balance a load, distributed such that every contact bears a share of it.
 struct GraspForces {
   std::vector<ContactForce> forces;  ///< one per contact
-  /// Largest normal force [N]; less than requested if that is infeasible.
-  double max_force_n = 0;
-  double min_force_n = 0;            ///< smallest normal force [N]
+  double max_force_n = 0;            ///< largest normal force; below the options' if infeasible
+  double min_force_n = 0;            ///< smallest normal force
   Wrench residual = Wrench::Zero();  ///< sum of the load and the contact forces [N]
   bool converged = false;  ///< false if the iterations ended before the accuracy was reached
 };
 
-/// Computes the forces (f_n, f_t, m) of the contacts and the level F, in units of max_force_n. It
-///   minimises 100 |residual| + 1/2 (2 - F)^2 + 0.005 sum (2 F - f_n)^2
-///                                           + 0.0005 sum (|f_t|^2 / mu^2 + m^2 / gamma^2) /
-///                                           friction_cone_share^2
-///   subject to min_force_share F <= f_n <= F <= 1, cones of friction_cone_share times mu and
-///   gamma, and the bounds.
+/// Computes the forces (f_n, f_t, m) of the contacts and the level F, in units of max_force_n. With
+/// s = friction_cone_share, it minimises
+///   100 |residual| + 1/2 (2 - F)^2 + 0.005 sum (2 F - f_n)^2
+///                  + 0.0005 sum (|f_t|^2 / mu^2 + m^2 / gamma^2) / s^2
+/// subject to min_force_share F <= f_n <= F <= 1, cones of s mu and s gamma, and the bounds.
 /// The priorities are, in this order: balance, the requested force level, equal normal forces, and
 /// little use of friction. A load that cannot be balanced at these shares gives very small forces
 /// or a residual. The barrier method (barrier.hpp) is accurate to 1e-4 of max_force_n, the residual

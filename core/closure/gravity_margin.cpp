@@ -7,11 +7,9 @@
 namespace morphe::closure {
 namespace {
 
-/// Margins, and powers of gravity in a twist, below this count as zero, because rounding produces
-/// as much.
+/// Margins, and powers of gravity in a twist, below this are rounding and count as zero.
 constexpr double kMarginTolerance = 1e-9;
 
-/// Returns u_f + u_t × r.
 Vec3 velocity_of(const Vec3& r, const Wrench& u) {
   return u.head<3>() + Vec3(u.tail<3>()).cross(r);
 }
@@ -23,16 +21,14 @@ GravityMargin margin_of(const ContactSet& contacts, const Gauge& gauge,
   if (contacts.contacts.empty()) return margin;
   Bounds known;
   known.lower = 0;
-  const LeastRatio least =
+  const LeastRatio ratio =
       least_ratio(make_wrench_set(contacts, ForceLimit::each), gauge, tolerance, known);
-  margin.insertions = least.insertions;
-  margin.facets = least.facets;
-  Bounds bounds = least.bounds;
-  // If gravity acts in a direction in which the set is flat, the lower bound does not hold, because
-  // it applies to the remaining directions.
-  for (const Wrench& flat : least.flat) {
+  margin.insertions = ratio.insertions;
+  margin.facets = ratio.facets;
+  Bounds bounds = ratio.bounds;
+  // The lower bound holds for the directions in which the set is not flat.
+  for (const Wrench& flat : ratio.flat)
     if (std::max(gauge(flat), gauge(-flat)) > kMarginTolerance) bounds.lower = 0;
-  }
   margin.lower = bounds.lower < kMarginTolerance ? 0 : bounds.lower;
   margin.upper = bounds.upper < kMarginTolerance ? 0 : bounds.upper;
   margin.weakest = bounds.direction;

@@ -5,7 +5,7 @@
 
 namespace morphe::closure {
 
-/// The mass of the held object, in the object's frame.
+/// The mass of the grasped object and its centre, in the object's frame.
 struct Load {
   double mass_kg = 0;
   Vec3 centre_of_mass = Vec3::Zero();  ///< position [m]
@@ -13,18 +13,15 @@ struct Load {
 
 /// The weight that a grasp can support if each contact presses with at most 1 N: lambda is the
 /// largest number for which forces inside the cones balance a weight of lambda newtons. A mass M
-/// needs a squeeze of N = 9.81 M / lambda newtons per contact, if forces are distributed optimally:
-/// a necessary condition, not a sufficient one.
+/// needs a squeeze of 9.81 M / lambda newtons per contact: enough only if forces are optimal.
 struct GravityMargin {
-  double lower = 0, upper = 0;  ///< of lambda
-  /// Unit direction of gravity; for the worst margin, the worst direction.
-  Vec3 direction = Vec3::Zero();
+  double lower = 0, upper = 0;      ///< of lambda
+  Vec3 direction = Vec3::Zero();    ///< unit direction of gravity: the given or the worst one
   Wrench weakest = Wrench::Zero();  ///< unit twist: upper = h / (power of gravity in it)
   bool within_tolerance = false;
   int insertions = 0, facets = 0;
 
-  /// Returns a force that is certainly sufficient [N]; infinite if no squeeze is known to hold the
-  /// mass.
+  /// Returns a certainly sufficient force [N], infinite if no squeeze is known to hold the mass.
   double sufficient_force_n(double mass_kg) const;
 };
 

@@ -11,8 +11,7 @@ struct InitialSimplex {
   std::vector<Wrench> vertices;            ///< for L∞ the first is 0
   std::vector<Wrench> queried_directions;  ///< unit directions for which the support was computed
   std::vector<double> support_values;      ///< h(u) of these directions
-  /// 6 - n orthonormal directions in which the set is not wider than 16 times its rounding, which
-  /// proves that it is flat.
+  /// 6 - n orthonormal directions in which the set is flat: no wider than 16 times its rounding.
   std::vector<Wrench> flat_directions;
 };
 

@@ -11,7 +11,7 @@ namespace {
 /// A facet's position in the queue: the smallest ratio first, the oldest of equals.
 struct Rank {
   double ratio;
-  std::int32_t facet;
+  int facet;
 
   bool operator<(const Rank& other) const {
     return ratio != other.ratio ? ratio > other.ratio : facet > other.facet;
@@ -25,42 +25,41 @@ LeastRatio least_ratio(const WrenchSet& set, const Gauge& gauge, const BoundTole
   LeastRatio found;
   Bounds& bounds = found.bounds;
   bounds = known;
-  const auto ask = [&](double height, const Wrench& u) {
+  const auto update_upper = [&](double height, const Wrench& u) {
     const double g = gauge(u);
     if (g > kGaugeTolerance) bounds.update_upper((height + set.support_error()) / g, u);
   };
   const InitialSimplex start = initial_simplex(set);
   found.flat = start.flat_directions;
-  for (std::size_t k = 0; k < start.queried_directions.size(); ++k)
-    ask(start.support_values[k], start.queried_directions[k]);
+  for (int k = 0; k < std::ssize(start.queried_directions); ++k)
+    update_upper(start.support_values[k], start.queried_directions[k]);
   if (is_within_tolerance(bounds, tolerance) || start.vertices.size() < 2) return found;
 
   IncrementalHull polytope(start.vertices);
   if (!polytope.is_proper()) return found;
   const std::vector<IncrementalHull::Facet>& facets = polytope.facets();
   std::priority_queue<Rank> queue;
-  std::int32_t ranked = 0;
+  int ranked = 0;
   while (true) {
-    for (; ranked < static_cast<std::int32_t>(facets.size()); ++ranked) {
+    for (; ranked < std::ssize(facets); ++ranked) {
       const IncrementalHull::Facet& facet = facets[ranked];
       const double g = gauge(facet.normal), distance = facet.distance - set.rounding;
-      if (g > kGaugeTolerance) {
+      if (g > kGaugeTolerance)
         queue.push({distance / g, ranked});
-      } else if (facet.distance < -set.rounding) {
+      else if (facet.distance < -set.rounding)
         queue.push({-kInfinity, ranked});
-      }
     }
     while (!queue.empty() && !facets[queue.top().facet].alive) queue.pop();
     if (queue.empty()) break;
-    const Rank least = queue.top();
-    if (least.ratio > 0) bounds.lower = std::max(bounds.lower, least.ratio);
+    const Rank top = queue.top();
+    if (top.ratio > 0) bounds.lower = std::max(bounds.lower, top.ratio);
     if (is_within_tolerance(bounds, tolerance) || found.insertions >= tolerance.max_insertions)
       break;
-    const Wrench u = facets[least.facet].normal;
-    const Support there = support(set, u);
-    ask(there.value, u);
+    const Wrench u = facets[top.facet].normal;
+    const Support farthest = support(set, u);
+    update_upper(farthest.value, u);
     if (is_within_tolerance(bounds, tolerance)) break;
-    if (!polytope.insert(there.point, least.facet, 0.1 * set.rounding)) break;
+    if (!polytope.insert(farthest.point, top.facet, 0.1 * set.rounding)) break;
     ++found.insertions;
   }
   for (const IncrementalHull::Facet& facet : facets) found.facets += facet.alive ? 1 : 0;

@@ -9,17 +9,17 @@ namespace {
 /// Computes the support of one contact's cone at normal force 1. The tangential force is composed
 /// of two unit vectors, because b itself consists of rounding only if v is along the normal.
 Support cone_support(const WrenchSet& set, const WrenchSet::Cone& cone, const Wrench& u) {
-  const Vec3 turn = u.tail<3>(), velocity = u.head<3>() + turn.cross(cone.lever);
-  const double across = cone.tangent_a.dot(velocity), along = cone.tangent_b.dot(velocity);
-  const double spin = cone.normal.dot(turn), mu2 = set.mu * set.mu, g2 = set.gamma * set.gamma;
-  const double grip = std::sqrt(mu2 * (across * across + along * along) + g2 * spin * spin);
+  const Vec3 rotation = u.tail<3>(), velocity = u.head<3>() + rotation.cross(cone.scaled_arm);
+  const double slip_a = cone.tangent_a.dot(velocity), slip_b = cone.tangent_b.dot(velocity);
+  const double spin = cone.normal.dot(rotation), mu2 = set.mu * set.mu, g2 = set.gamma * set.gamma;
+  const double s = std::sqrt(mu2 * (slip_a * slip_a + slip_b * slip_b) + g2 * spin * spin);
   Vec3 force = cone.normal;
   double moment = 0;
-  if (grip > 0) {
-    force += mu2 / grip * (across * cone.tangent_a + along * cone.tangent_b);
-    moment = g2 * spin / grip;
+  if (s > 0) {
+    force += mu2 / s * (slip_a * cone.tangent_a + slip_b * cone.tangent_b);
+    moment = g2 * spin / s;
   }
-  Support found{cone.normal.dot(velocity) + grip, wrench_of(force, cone.lever)};
+  Support found{cone.normal.dot(velocity) + s, wrench_of(force, cone.scaled_arm)};
   found.point.tail<3>() += moment * cone.normal;
   return found;
 }
@@ -33,15 +33,15 @@ WrenchSet make_wrench_set(const ContactSet& contacts, ForceLimit limit) {
   set.gamma = contacts.friction.gamma_m / contacts.torque_scale_m;
   for (const Contact& contact : contacts.contacts) {
     WrenchSet::Cone cone;
-    cone.lever = moment_arm(contacts, contact);
+    cone.scaled_arm = moment_arm(contacts, contact);
     cone.normal = contact.normal.normalized();
     cone.tangent_a = cone.normal.unitOrthogonal();
     cone.tangent_b = cone.normal.cross(cone.tangent_a);
-    const double reach =
-        std::sqrt((1 + set.mu * set.mu) * (1 + cone.lever.squaredNorm()) + set.gamma * set.gamma);
+    const double norm_bound = std::sqrt(
+        (1 + set.mu * set.mu) * (1 + cone.scaled_arm.squaredNorm()) + set.gamma * set.gamma);
     if (limit == ForceLimit::each) cone.max_normal_force = contact.force_limit_share;
-    set.radius = limit == ForceLimit::sum ? std::max(set.radius, reach)
-                                          : set.radius + cone.max_normal_force * reach;
+    set.radius = limit == ForceLimit::sum ? std::max(set.radius, norm_bound)
+                                          : set.radius + cone.max_normal_force * norm_bound;
     set.cones.push_back(cone);
   }
   set.rounding = kRelativeRounding * set.radius;
@@ -49,21 +49,21 @@ WrenchSet make_wrench_set(const ContactSet& contacts, ForceLimit limit) {
 }
 
 Support support(const WrenchSet& set, const Wrench& u) {
-  Support all;
+  Support total;
   bool first = true;
   for (const WrenchSet::Cone& cone : set.cones) {
-    const Support one = cone_support(set, cone, u);
+    const Support contribution = cone_support(set, cone, u);
     if (set.limit == ForceLimit::each) {
-      if (one.value > 0) {
-        all.value += cone.max_normal_force * one.value;
-        all.point += cone.max_normal_force * one.point;
+      if (contribution.value > 0) {
+        total.value += cone.max_normal_force * contribution.value;
+        total.point += cone.max_normal_force * contribution.point;
       }
-    } else if (first || one.value > all.value) {
-      all = one;
+    } else if (first || contribution.value > total.value) {
+      total = contribution;
     }
     first = false;
   }
-  return all;
+  return total;
 }
 
 }  // namespace morphe::closure

@@ -12,8 +12,8 @@ inline constexpr double kRelativeRounding = 1e-12;
 /// The constraint on the normal forces that form a set of wrenches.
 enum class ForceLimit {
   sum,  ///< they sum to 1 (L1): the convex hull of the contacts' cones at normal force 1
-  /// Each is between 0 and its contact's share, 1 by default (L∞): the Minkowski sum of the
-  /// contacts' cones, each truncated at this force; contains 0.
+  /// Each is between 0 and its contact's force_limit_share (L∞): the Minkowski sum of the contacts'
+  /// cones, each truncated at this force; contains 0.
   each,
 };
 
@@ -21,8 +21,8 @@ enum class ForceLimit {
 struct WrenchSet {
   /// The friction cone of a contact.
   struct Cone {
-    Vec3 lever, normal, tangent_a, tangent_b;  ///< the tangents span the tangent plane
-    double max_normal_force = 1;               ///< normal force
+    Vec3 scaled_arm, normal, tangent_a, tangent_b;  ///< the tangents span the tangent plane
+    double max_normal_force = 1;
   };
   ForceLimit limit = ForceLimit::sum;
   double mu = 0, gamma = 0;  ///< gamma divided by rho, g below
@@ -34,7 +34,7 @@ struct WrenchSet {
   double support_error() const { return 0.01 * rounding; }
 };
 
-/// Computes the wrench set of contacts.
+/// Computes the wrench set of valid contacts.
 WrenchSet make_wrench_set(const ContactSet& contacts, ForceLimit limit);
 
 /// A point of the set that is extreme in a direction u, and h(u) = max u·w over the set.
@@ -43,10 +43,11 @@ struct Support {
   Wrench point = Wrench::Zero();
 };
 
-/// Computes the support function. h_i = n·v + s with v = u_f + u_t × r (the contact point's
-/// velocity under the twist u), b = v - (n·v) n, t = n·u_t, s = sqrt(mu^2 |b|^2 + g^2 t^2); it is
-/// attained by the force n + mu^2 b / s with the moment rho g^2 t / s. L1: max h_i, negative if all
-/// contacts push away from u; L∞: sum of share_i max(0, h_i). Without contacts both sets are {0}.
+/// Computes the support function h and a point that attains it. With the velocity v = u_f + u_t × r
+/// of a contact point under the twist u, b = v - (n·v) n, t = n·u_t and s = sqrt(mu^2 |b|^2 + g^2
+/// t^2), contact i has h_i = n·v + s, by the force n + mu^2 b / s and the moment rho g^2 t / s. L1:
+/// h = max h_i, negative if all contacts push away from u. L∞: h = sum of share_i max(0, h_i).
+/// Without contacts both sets are {0}.
 Support support(const WrenchSet& set, const Wrench& u);
 
 }  // namespace morphe::closure

@@ -1,17 +1,20 @@
 #pragma once
 
+#include <vector>
+
 #include "core/motion/scene.hpp"
 
 namespace morphe::collision {
 
-/// Merges vertices within the same micrometre into the first of them, and removes triangles that
-/// degenerate.
+/// Returns for each point the index of the first point equal to it.
+std::vector<int> first_equal_points(const std::vector<Vec3>& points);
+
+/// Merges the vertices that round to the same micrometre, and removes triangles that degenerate.
 void weld(SceneObject& mesh);
 
-/// Fills every hole whose width 4 A / P is below widest_m, with A the area of the filling triangles
-/// and P the length of the hole's boundary (for a circle this is the diameter, for a slit twice its
-/// width). Exporters and scanners leave such holes at missing triangles and open seams. The mesh
-/// must be welded.
-void close_holes(SceneObject& mesh, double widest_m);
+/// Fills every hole of a welded mesh whose width 4 A / P is below max_width_m, with A the area of
+/// the filling triangles and P the length of the hole's boundary. The width of a circle is its
+/// diameter; that of a slit is twice the slit's. Exporters and scanners leave such holes.
+void close_holes(SceneObject& mesh, double max_width_m);
 
 }  // namespace morphe::collision

@@ -1,8 +1,8 @@
 #include "core/collision/continuous_check.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <tuple>
+#include <utility>
 
 #include "core/collision/motion_pairs.hpp"
 
@@ -14,43 +14,42 @@ struct Bisection {
   double resolution_m;
   bool first_only;
   std::vector<MotionCheck>& failed;
-  MotionCheck least;  ///< smallest slack found
+  MotionCheck least_slack;  ///< the check with the smallest slack
 
-  /// Checks the pairs in pairs.scratch.undecided_pairs[depth] over [s0, s1]; pairs that remain
-  /// undecided are added to the next depth.
-  void bisect(std::size_t depth, double s0, double s1) {
+  /// Checks the pairs in scratch.undecided_pairs[depth] over [s0, s1]; adds failures to `failed`.
+  void bisect(int depth, double s0, double s1) {
     const double middle = 0.5 * (s0 + s1);
     pairs.set_interval(s0, middle, s1);
-    std::vector<std::size_t>& further = pairs.scratch.undecided_pairs[depth + 1];
-    further.clear();
-    for (const std::size_t number : pairs.scratch.undecided_pairs[depth]) {
-      PairSeparation pair = pairs.pair_of(number);
+    std::vector<BodyPair>& undecided = pairs.scratch.undecided_pairs[depth + 1];
+    undecided.clear();
+    for (const BodyPair& bodies : pairs.scratch.undecided_pairs[depth]) {
+      PairSeparation pair = pairs.unmeasured(bodies);
       const double bound_m = pairs.slack_lower_bound(pair);
-      if (bound_m > least.pair.slack() && bound_m >= pairs.pair_travel(pair)) continue;
-      pairs.measure(pair);
-      if (pair.slack() < least.pair.slack()) least = {MotionVerdict::free, middle, pair, s0, s1};
+      if (bound_m > least_slack.pair.slack() && bound_m >= pairs.pair_travel(pair)) continue;
+      measure(pairs.world, pairs.scratch, pair);
+      if (pair.slack() < least_slack.pair.slack())
+        least_slack = {MotionVerdict::free, middle, pair, s0, s1};
       const double travel_m = pairs.pair_travel(pair);
       if (pair.slack() >= travel_m) continue;
       const bool colliding = !(pair.slack() >= 0);  // true for NaN too
-      const bool last = travel_m < resolution_m || depth + 1 >= kMaxBisectionDepth;
-      if (last || (colliding && (first_only || !(pair.slack() >= -travel_m)))) {
+      const bool is_final = travel_m < resolution_m || depth + 1 >= kMaxBisectionDepth;
+      if (is_final || (colliding && (first_only || !(pair.slack() >= -travel_m)))) {
         failed.push_back({colliding ? MotionVerdict::colliding : MotionVerdict::undecided, middle,
                           pair, s0, s1});
         if (first_only) return;
       } else {
-        further.push_back(number);
+        undecided.push_back(bodies);
       }
     }
-    if (further.empty()) return;
+    if (undecided.empty()) return;
     bisect(depth + 1, s0, middle);
     if (first_only && !failed.empty()) return;
     bisect(depth + 1, middle, s1);
   }
 
-  void decide_all() {
-    least.pair.separation.distance = std::numeric_limits<double>::infinity();
-    least.pair.capsule = -1;
-    least.parameter = pairs.motion.begin;
+  void check_all() {
+    least_slack.pair = no_pair();
+    least_slack.parameter = pairs.motion.begin;
     pairs.for_each_part([&](double from, double to) {
       bisect(0, from, to);
       return !first_only || failed.empty();
@@ -58,18 +57,14 @@ struct Bisection {
   }
 };
 
-std::tuple<bool, int, int> key_of(const PairSeparation& pair) {
-  return {pair.other_is_object, pair.capsule, pair.other};
-}
-
-/// Merges adjacent intervals of one pair, keeping the worst result.
-void join(std::vector<MotionCheck>& found) {
-  std::ranges::stable_sort(found, [](const MotionCheck& a, const MotionCheck& b) {
-    return std::tuple(key_of(a.pair), a.begin) < std::tuple(key_of(b.pair), b.begin);
+/// Merges adjacent intervals of one pair, keeping the result with the smaller slack.
+void join(std::vector<MotionCheck>& failed) {
+  std::ranges::stable_sort(failed, {}, [](const MotionCheck& check) {
+    return std::tuple(check.pair.key(), check.begin);
   });
   std::vector<MotionCheck> joined;
-  for (const MotionCheck& next : found) {
-    if (joined.empty() || key_of(joined.back().pair) != key_of(next.pair) ||
+  for (const MotionCheck& next : failed) {
+    if (joined.empty() || joined.back().pair.key() != next.pair.key() ||
         joined.back().end < next.begin) {
       joined.push_back(next);
       continue;
@@ -83,7 +78,7 @@ void join(std::vector<MotionCheck>& found) {
     }
     last.end = end;
   }
-  found = std::move(joined);
+  failed = std::move(joined);
 }
 
 }  // namespace
@@ -92,7 +87,7 @@ void failing_pairs(const CollisionWorld& world, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out, double band_m) {
   out.clear();
   Bisection bisection{{world, motion, scratch}, band_m, false, out, {}};
-  bisection.decide_all();
+  bisection.check_all();
   join(out);
 }
 
@@ -100,8 +95,8 @@ MotionCheck check_motion(const CollisionWorld& world, const JointMotion& motion,
                          CollisionScratch& scratch, double band_m) {
   std::vector<MotionCheck> failed;
   Bisection bisection{{world, motion, scratch}, band_m, true, failed, {}};
-  bisection.decide_all();
-  return failed.empty() ? bisection.least : failed.front();
+  bisection.check_all();
+  return failed.empty() ? bisection.least_slack : failed.front();
 }
 
 }  // namespace morphe::collision

@@ -2,14 +2,13 @@
 #include <cmath>
 #include <optional>
 
+#include "core/collision/constants.hpp"
 #include "core/collision/mesh_solid.hpp"
 
 namespace morphe::collision {
 namespace {
 
-/// A ray that passes a triangle's edge closer than this is repeated in another direction.
-constexpr double kGrazingTolerance = 1e-9;
-
+/// Unit vectors that are unlikely to be parallel to an edge or a face.
 const Vec3 kDirections[] = {{0.5377, 0.8339, 0.1259},   {-0.3188, 0.2276, 0.9202},
                             {0.8622, -0.4336, 0.2625},  {-0.7447, -0.6312, 0.2163},
                             {0.1419, -0.3542, -0.9244}, {-0.1241, 0.4897, -0.8630}};
@@ -25,26 +24,22 @@ enum class Hit { no, yes, grazing };
 
 /// Intersects a ray with a triangle by the algorithm of Moeller and Trumbore.
 Hit ray_hits(const MeshSolid::Triangle& t, const Vec3& from, const Vec3& direction) {
-  const Vec3 ab = t.b - t.a, ac = t.c - t.a, across = direction.cross(ac);
-  const double volume = ab.dot(across);
-  const double size = ab.norm() * ac.norm();
-  const Vec3 away = from - t.a;
+  const Vec3 ab = t.b - t.a, ac = t.c - t.a, across = direction.cross(ac), from_a = from - t.a;
+  const double volume = ab.dot(across), size = ab.norm() * ac.norm();
   if (std::abs(volume) <= 1e-12 * size) {
-    // The triangle is parallel to the ray or degenerate: it is hit only if the ray lies in its
-    // plane.
-    const double height = ab.cross(ac).dot(away);
-    return size > 0 && std::abs(height) <= 1e-9 * size ? Hit::grazing : Hit::no;
+    // A triangle that is parallel to the ray or degenerate is grazed if the ray is in its plane.
+    const double height = ab.cross(ac).dot(from_a);
+    return size > 0 && std::abs(height) <= kGrazingTolerance * size ? Hit::grazing : Hit::no;
   }
-  const double u = away.dot(across) / volume;
-  const Vec3 cross = away.cross(ab);
+  const double u = from_a.dot(across) / volume;
+  const Vec3 cross = from_a.cross(ab);
   const double v = direction.dot(cross) / volume, along = ac.dot(cross) / volume;
-  const double least = std::min({u, v, 1 - u - v});
-  if (least < -kGrazingTolerance || along < 0) return Hit::no;
-  return least < kGrazingTolerance ? Hit::grazing : Hit::yes;
+  const double min_barycentric = std::min({u, v, 1 - u - v});
+  if (min_barycentric < -kGrazingTolerance || along < 0) return Hit::no;
+  return min_barycentric < kGrazingTolerance ? Hit::grazing : Hit::yes;
 }
 
-/// Returns true if a ray crosses the surface of some closed part an odd number of times, and
-/// nullopt if it grazes an edge.
+/// Returns true if a ray crosses a closed part an odd number of times, nullopt if it grazes one.
 std::optional<bool> has_odd_crossings(const MeshSolid& mesh, const Vec3& point,
                                       const Vec3& direction) {
   const Vec3 inverse = direction.cwiseInverse();
@@ -79,9 +74,9 @@ std::optional<bool> has_odd_crossings(const MeshSolid& mesh, const Vec3& point,
 bool is_inside(const MeshSolid& mesh, const Vec3& point) {
   if (mesh_distance_lower_bound(mesh, point) > 0) return false;
   for (const Vec3& direction : kDirections) {
-    if (const std::optional<bool> found = has_odd_crossings(mesh, point, direction)) return *found;
+    if (const std::optional<bool> odd = has_odd_crossings(mesh, point, direction)) return *odd;
   }
-  return true;  // practically on the surface
+  return true;  // every ray grazes a part: the point is practically on the surface
 }
 
 }  // namespace morphe::collision

@@ -1,29 +1,28 @@
+#include "core/collision/joint_motion.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "core/collision/continuous_check.hpp"
 
 namespace morphe::collision {
 
 double object_travel(const Solid& solid, double begin_s, double middle_s, double end_s) {
   const double radius_m = bounding_radius(solid);
   const SceneObject& object = solid.object;
-  const auto way = [&](double from_s, double to_s) {
-    Pose last = recorded_pose(object, from_s);
+  const auto path_length = [&](double from_s, double to_s) {
+    Pose previous = recorded_pose(object, from_s);
     double length_m = 0;
-    const auto go = [&](const Pose& next) {
-      const double angle = Eigen::AngleAxisd(last.linear().transpose() * next.linear()).angle();
-      length_m += (next.translation() - last.translation()).norm() + radius_m * std::abs(angle);
-      last = next;
+    const auto advance = [&](const Pose& next) {
+      const double angle = Eigen::AngleAxisd(previous.linear().transpose() * next.linear()).angle();
+      length_m += (next.translation() - previous.translation()).norm() + radius_m * std::abs(angle);
+      previous = next;
     };
-    const auto first = std::upper_bound(object.time.begin(), object.time.end(), from_s);
-    for (auto knot = first; knot != object.time.end() && *knot < to_s; ++knot) {
-      go(recorded_pose(object, *knot));
-    }
-    go(recorded_pose(object, to_s));
+    const auto first = std::ranges::upper_bound(object.time, from_s);
+    for (auto time = first; time != object.time.end() && *time < to_s; ++time)
+      advance(recorded_pose(object, *time));
+    advance(recorded_pose(object, to_s));
     return length_m;
   };
-  return std::max(way(begin_s, middle_s), way(middle_s, end_s));
+  return std::max(path_length(begin_s, middle_s), path_length(middle_s, end_s));
 }
 
 JointMotion straight_motion(const JointVector& from, const JointVector& to, double from_s,

@@ -16,15 +16,13 @@ int moving_frame(const robot::Robot& robot, int capsule) {
 
 std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
   const auto allowed = [&robot](int i, int j) {
-    return std::any_of(robot.allowed_collision_pairs.begin(), robot.allowed_collision_pairs.end(),
-                       [&](const auto& pair) {
-                         return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
-                       });
+    return std::ranges::any_of(robot.allowed_collision_pairs, [&](const auto& pair) {
+      return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
+    });
   };
   std::vector<std::array<int, 2>> pairs;
-  const int capsules = static_cast<int>(robot.capsules.size());
-  for (int i = 0; i < capsules; ++i) {
-    for (int j = i + 1; j < capsules; ++j) {
+  for (int i = 0; i < std::ssize(robot.capsules); ++i) {
+    for (int j = i + 1; j < std::ssize(robot.capsules); ++j) {
       const bool rigid = moving_frame(robot, i) == moving_frame(robot, j);
       if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
     }
@@ -32,14 +30,14 @@ std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
   return pairs;
 }
 
-void set_touching(const Movement& movement, CollisionWorld& world) {
+void set_contact_time(const Movement& movement, CollisionWorld& world) {
   double preshape_s = kUnknown, grasp_s = kUnknown, end_s = kUnknown;
-  const auto lower = [](double& value, double with) {
-    if (!(value <= with)) value = with;
+  const auto keep_earlier = [](double& earliest_s, double time_s) {
+    if (!(earliest_s <= time_s)) earliest_s = time_s;  // for NaN too
   };
   for (const Phase& phase : movement.phases) {
-    if (phase.kind == PhaseKind::preshape) lower(preshape_s, phase.begin_s);
-    if (phase.kind == PhaseKind::grasp) lower(grasp_s, phase.begin_s);
+    if (phase.kind == PhaseKind::preshape) keep_earlier(preshape_s, phase.begin_s);
+    if (phase.kind == PhaseKind::grasp) keep_earlier(grasp_s, phase.begin_s);
     const bool holding = phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold ||
                          phase.kind == PhaseKind::transport;
     if (holding && !(end_s >= phase.end_s)) end_s = phase.end_s;
@@ -54,21 +52,18 @@ void set_touching(const Movement& movement, CollisionWorld& world) {
 
 CollisionWorld make_world(const robot::Robot& robot, const Scene& scene, const Movement& movement,
                           const Tolerances& tolerances, const MeshCache& ready) {
-  if (static_cast<std::size_t>(robot.capsule_motion_bounds.rows()) != robot.capsules.size()) {
+  if (robot.capsule_motion_bounds.rows() != std::ssize(robot.capsules))
     throw std::logic_error("the robot's capsules changed after what follows from them was derived");
-  }
   CollisionWorld world;
   world.robot = &robot;
   world.scene = &scene;
-  for (const SceneObject& object : scene.objects) {
+  for (const SceneObject& object : scene.objects)
     world.meshes.push_back(mesh_solid_of(object, ready));
-  }
   world.tolerances = tolerances;
-  if (!movement.target.empty()) {
-    const SceneObject* target = find_object(scene.objects, movement.target);
-    if (target) world.target = static_cast<int>(target - scene.objects.data());
+  for (int k = 0; k < std::ssize(scene.objects) && !movement.target.empty(); ++k) {
+    if (world.target < 0 && scene.objects[k].name == movement.target) world.target = k;
   }
-  if (world.target >= 0) set_touching(movement, world);
+  if (world.target >= 0) set_contact_time(movement, world);
   world.pairs = pairs_to_check(robot);
   return world;
 }

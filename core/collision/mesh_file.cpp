@@ -8,19 +8,18 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <map>
+#include <utility>
 
 #include "core/collision/close_holes.hpp"
-#include "core/collision/convex_hull.hpp"
+#include "core/collision/constants.hpp"
 #include "core/collision/mesh_solid.hpp"
 #include "core/collision/stl_file.hpp"
 #include "core/files/read_in_child.hpp"
+#include "core/math/convex_hull_3d.hpp"
 
 namespace morphe::collision {
 namespace {
-
-/// Width of holes that are too narrow for a robot's finger.
-constexpr double kMaxHoleWidth_m = 0.01;
-constexpr std::uintmax_t kMaxFileSize_bytes = 200'000'000;
 
 std::string lower_extension(const std::filesystem::path& file) {
   std::string text = file.extension().string();
@@ -30,7 +29,7 @@ std::string lower_extension(const std::filesystem::path& file) {
 }
 
 void append_mesh(const aiMesh& part, const aiMatrix4x4& pose, SceneObject& mesh) {
-  const int first = static_cast<int>(mesh.vertices.size());
+  const std::size_t first = mesh.vertices.size();
   for (unsigned k = 0; k < part.mNumVertices; ++k) {
     const aiVector3D v = pose * part.mVertices[k];
     mesh.vertices.emplace_back(v.x, v.y, v.z);
@@ -38,33 +37,30 @@ void append_mesh(const aiMesh& part, const aiMatrix4x4& pose, SceneObject& mesh)
   for (unsigned k = 0; k < part.mNumFaces; ++k) {
     const aiFace& face = part.mFaces[k];
     if (face.mNumIndices != 3) continue;  // skips points and lines
-    mesh.triangles.push_back(Eigen::Vector3i::Constant(first) +
-                             Eigen::Vector3i(static_cast<int>(face.mIndices[0]),
-                                             static_cast<int>(face.mIndices[1]),
-                                             static_cast<int>(face.mIndices[2])));
+    mesh.triangles.emplace_back(first + face.mIndices[0], first + face.mIndices[1],
+                                first + face.mIndices[2]);
   }
 }
 
-void append_mesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above,
+void append_mesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent_pose,
                  SceneObject& mesh) {
-  const aiMatrix4x4 pose = above * node.mTransformation;
+  const aiMatrix4x4 pose = parent_pose * node.mTransformation;
   for (unsigned k = 0; k < node.mNumMeshes; ++k)
     append_mesh(*scene.mMeshes[node.mMeshes[k]], pose, mesh);
   for (unsigned k = 0; k < node.mNumChildren; ++k)
     append_mesh(scene, *node.mChildren[k], pose, mesh);
 }
 
-/// Reads files of the formats for which Assimp is used.
 std::string read_with_assimp(const std::filesystem::path& file, bool collada, SceneObject& mesh) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
   if (!scene || !scene->mRootNode) return importer.GetErrorString();
-  aiMatrix4x4 above;
-  if (collada) {  // undoes the transformation for unit and up axis
-    above = scene->mRootNode->mTransformation;
-    above.Inverse();
+  aiMatrix4x4 root_pose;
+  if (collada) {  // undoes the root's transformation, which converts unit and up axis
+    root_pose = scene->mRootNode->mTransformation;
+    root_pose.Inverse();
   }
-  append_mesh(*scene, *scene->mRootNode, above, mesh);
+  append_mesh(*scene, *scene->mRootNode, root_pose, mesh);
   return "";
 }
 
@@ -73,13 +69,11 @@ std::string read_with_assimp(const std::filesystem::path& file, bool collada, Sc
 std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh) {
   static constexpr std::array kKinds = {".stl", ".obj", ".dae", ".gltf", ".glb"};
   const std::string kind = lower_extension(file);
-  if (std::ranges::find(kKinds, kind) == kKinds.end()) {
+  if (std::ranges::find(kKinds, kind) == kKinds.end())
     return file.string() + ": must be an STL, OBJ, DAE or glTF file";
-  }
   if (!std::filesystem::is_regular_file(file)) return file.string() + " cannot be read";
-  if (std::filesystem::file_size(file) > kMaxFileSize_bytes) {
+  if (std::filesystem::file_size(file) > kMaxMeshFile_bytes)
     return file.string() + ": is larger than 200 MB; simplify the mesh first";
-  }
   mesh.shape = Shape::mesh;
   mesh.size.clear();
   mesh.vertices.clear();
@@ -110,6 +104,26 @@ std::string load_mesh(const std::filesystem::path& file, double scale, bool hull
     if (mesh.triangles.empty()) problem = "the mesh is smaller than 1 micrometre";
   }
   return problem.empty() ? "" : file.string() + ": " + problem;
+}
+
+bool replace_by_convex_hull(SceneObject& mesh) {
+  const std::vector<math::HullTriangle> hull = math::convex_hull_3d(mesh.vertices);
+  if (hull.empty()) return false;
+  std::map<std::size_t, int> new_index;  // of each kept vertex
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+  for (const math::HullTriangle& facet : hull) {
+    Eigen::Vector3i& triangle = triangles.emplace_back();
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t corner = facet.corners[k];
+      const auto [vertex, added] = new_index.emplace(corner, vertices.size());
+      if (added) vertices.push_back(mesh.vertices[corner]);
+      triangle[k] = vertex->second;
+    }
+  }
+  mesh.vertices = std::move(vertices);
+  mesh.triangles = std::move(triangles);
+  return true;
 }
 
 }  // namespace morphe::collision

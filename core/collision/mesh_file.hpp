@@ -7,17 +7,21 @@
 
 namespace morphe::collision {
 
-/// Reads the triangles of an STL, OBJ, DAE or glTF file, all parts with the transformations of
-/// their nodes, in the file's axes and units. Collada's unit and up axis are ignored, as in ROS.
-/// Files above 200 MB (four million triangles as STL) are rejected. Returns "" or the error in the
-/// file.
+/// Reads the triangles of an STL, OBJ, DAE or glTF file in the file's axes and units, all parts
+/// with the transformations of their nodes. Collada's unit and up axis are ignored, as in ROS.
+/// Files above 200 MB (four million triangles as STL) are rejected. Returns the error with the
+/// file, or "".
 std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh);
 
-/// Reads a mesh as an object of the scene, its coordinates multiplied by `scale` to give m.
-/// Vertices within a micrometre are merged, and holes narrower than 10 mm are filled
-/// (close_holes.hpp). With `hull` it returns the convex hull of the vertices instead (an error if
-/// they are coplanar).
+/// Reads a mesh as load_raw_mesh() does, and multiplies its coordinates by `scale` to give m. With
+/// `hull` it is replaced by its convex hull; flat meshes are then an error. Vertices within a
+/// micrometre are merged, and holes narrower than 10 mm are filled (close_holes.hpp). Returns the
+/// error with the file, or "".
 std::string load_mesh(const std::filesystem::path& file, double scale, bool hull,
                       SceneObject& mesh);
+
+/// Replaces a mesh by the convex hull of its vertices. If the vertices are coplanar or fewer than
+/// four, it returns false and leaves the mesh as it is.
+bool replace_by_convex_hull(SceneObject& mesh);
 
 }  // namespace morphe::collision

@@ -9,10 +9,10 @@
 namespace morphe::collision {
 
 /// A triangle mesh preprocessed for distance queries, in its object's frame. Triangles that share
-/// edges form parts. A part is closed if every edge has an even number of triangles; its interior
-/// is solid, whatever the orientation of its triangles, including cavities, because an arm could
-/// only enter them through a wall. Any other part is a sheet without thickness: load_mesh() fills
-/// small holes, so that remaining openings are intended.
+/// edges form parts. A part is closed if every edge has an even number of triangles. A closed part
+/// is solid inside, whatever the orientation of its triangles; so are its cavities, because an arm
+/// could only enter them through a wall. Any other part is a sheet without thickness: load_mesh()
+/// fills small holes, so that remaining openings are intended.
 struct MeshSolid {
   /// A triangle and the part to which it belongs.
   struct Triangle {
@@ -23,16 +23,15 @@ struct MeshSolid {
   struct Node {
     Vec3 low, high;
     int first = 0, count = 0;  ///< triangles of a leaf
-    int left = 0, right = 0;   ///< children of an inner node; count = 0
+    int left = 0, right = 0;   ///< children of an inner node, which has count = 0
   };
-  std::vector<Triangle> triangles;  ///< sorted by leaf
+  std::vector<Triangle> triangles;  ///< those of a leaf are consecutive
   std::vector<Node> nodes;          ///< the first is the root; empty if there are no triangles
-  std::vector<char> closed;         ///< by part; true if the part is closed
-  double radius = 0;                ///< about the frame's origin [m]
+  std::vector<char> closed;         ///< [parts] 1 if the part is closed
+  double radius = 0;                ///< largest distance from the frame's origin [m]
 };
 
-/// Returns "" or the reason why the mesh is invalid: no triangles, an index of a vertex that does
-/// not exist, or a vertex that is not finite.
+/// Returns "" or why a mesh is invalid: no triangles, or vertices that are missing or not finite.
 std::string mesh_problem(const SceneObject& mesh);
 
 /// Preprocesses a mesh, which must be valid.
@@ -47,8 +46,8 @@ struct CachedMesh {
 /// Meshes that were preprocessed before.
 using MeshCache = std::vector<CachedMesh>;
 
-/// Returns an object's preprocessed mesh, from `ready` if it is there, or null for other shapes and
-/// invalid meshes.
+/// Returns an object's preprocessed mesh, from `ready` if it is there; null if the object has no
+/// valid mesh.
 std::shared_ptr<const MeshSolid> mesh_solid_of(const SceneObject& object,
                                                const MeshCache& ready = {});
 /// Adds an object's mesh to the cache if the object has a valid one.
@@ -60,16 +59,16 @@ bool is_open(const MeshSolid& mesh);
 /// Returns true if a point is inside a closed part of the mesh.
 bool is_inside(const MeshSolid& mesh, const Vec3& point);
 
-/// Returns the signed distance of a point and its gradient, < 0 inside. It is exact. The depth is
-/// the distance to the nearest surface, including surfaces inside the solid.
+/// Returns the exact signed distance of a point [m], < 0 inside, and its gradient. A depth is the
+/// distance to the nearest triangle, also of a triangle within the solid.
 double mesh_distance(const MeshSolid& mesh, const Vec3& point, Vec3& gradient);
-/// Returns a lower bound of the signed distance at little cost: the distance from the mesh's
-/// bounding box, or -infinity within the box.
+/// Returns a lower bound of mesh_distance(): the distance from the mesh's bounding box, or
+/// -infinity within the box.
 double mesh_distance_lower_bound(const MeshSolid& mesh, const Vec3& point);
 
-/// Computes the separation of a capsule given in the mesh's frame. It is exact while the capsule's
-/// segment is outside; if the segment is inside the solid, the depth is overestimated by up to 5 %
-/// + 10 um, and never underestimated.
+/// Computes the separation of a capsule given in the mesh's frame. It is exact if the capsule's
+/// segment is outside. If the segment enters the solid, its depth is overestimated by up to 5 % +
+/// 10 um, and never underestimated.
 Separation capsule_mesh(const CapsuleBody& capsule, const MeshSolid& mesh);
 
 }  // namespace morphe::collision

@@ -2,24 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+
+#include "core/collision/constants.hpp"
 
 namespace morphe::collision {
 
-PairSeparation MotionPairs::pair_of(std::size_t number) const {
-  PairSeparation pair;
-  pair.required_distance_m = world.tolerances.required_clearance;
-  if (number < world.pairs.size()) {
-    pair.capsule = world.pairs[number][0];
-    pair.other = world.pairs[number][1];
-    return pair;
-  }
-  const std::size_t k = number - world.pairs.size();
-  pair.other_is_object = true;
-  pair.capsule = static_cast<int>(k / objects());
-  pair.other = static_cast<int>(k % objects());
-  if (may_touch(pair)) pair.required_distance_m = -allowed_contact_depth_m(world, pair.capsule);
-  return pair;
+PairSeparation MotionPairs::unmeasured(const BodyPair& bodies) const {
+  return {bodies,
+          {},
+          may_touch(bodies) ? -allowed_contact_depth_m(world, bodies.capsule)
+                            : world.tolerances.required_clearance};
 }
 
 void MotionPairs::set_interval(double s0, double middle, double s1) {
@@ -27,13 +19,11 @@ void MotionPairs::set_interval(double s0, double middle, double s1) {
   motion.travel(s0, s1, scratch.travel);
   const double middle_s = motion.demonstration_time(middle);
   update_bodies(world, scratch.position, middle_s, scratch);
-  for (std::size_t c = 0; c < scratch.bodies.size(); ++c) {
+  for (int c = 0; c < std::ssize(scratch.bodies); ++c)
     scratch.body_travel[c] = world.robot->capsule_motion_bounds.row(c).dot(scratch.travel);
-  }
-  for (std::size_t k = 0; k < objects(); ++k) {
-    const SceneObject& object = world.scene->objects[k];
-    const bool still = object.time.size() < 2 || (static_cast<int>(k) == world.target &&
-                                                  target_state != TargetState::as_recorded);
+  for (int k = 0; k < std::ssize(world.scene->objects); ++k) {
+    const bool still = world.scene->objects[k].time.size() < 2 ||
+                       (k == world.target && target_state != TargetState::as_recorded);
     scratch.object_travel[k] =
         still ? 0
               : object_travel(solid_at(world, k), motion.demonstration_time(s0), middle_s,
@@ -41,83 +31,79 @@ void MotionPairs::set_interval(double s0, double middle, double s1) {
   }
 }
 
-/// Returns a bound on the relative travel of two bodies. Joints above a common parent move both
-/// bodies alike and do not change their distance. `levers_a`, `levers_b`: [joints] of each body.
+/// Returns a bound on the relative travel of two bodies, which move with the frames a and b [m].
+/// Joints above their common ancestor do not count. Levers are [joints], as in motion_bounds.hpp.
 double MotionPairs::relative_travel(int a, const double* levers_a, int b,
                                     const double* levers_b) const {
-  int last_a = -1, last_b = -1;  // a coupled joint moves adjacent frames; it is counted once
+  // The levers of a coupled joint include all its frames, which are adjacent: it is counted once.
+  int last_joint_a = -1, last_joint_b = -1;
   double sum_m = 0;
   while (a != b) {
     // Parents come first, so the later frame is not an ancestor of the other.
-    const bool first = a > b;
-    int& frame = first ? a : b;
-    int& last = first ? last_a : last_b;
-    const RobotModel::Frame& turned = world.robot->frames[frame];
-    if (turned.joint >= 0 && turned.joint != last) {
-      sum_m += (first ? levers_a : levers_b)[turned.joint] * scratch.travel[turned.joint];
-      last = turned.joint;
+    const bool a_is_later = a > b;
+    const RobotModel::Frame& frame = world.robot->frames[a_is_later ? a : b];
+    int& last_joint = a_is_later ? last_joint_a : last_joint_b;
+    if (frame.joint >= 0 && frame.joint != last_joint) {
+      sum_m += (a_is_later ? levers_a : levers_b)[frame.joint] * scratch.travel[frame.joint];
+      last_joint = frame.joint;
     }
-    frame = turned.parent;
+    (a_is_later ? a : b) = frame.parent;
   }
   return sum_m;
 }
 
-double MotionPairs::pair_travel(const PairSeparation& pair) const {
-  const auto first = static_cast<std::size_t>(pair.capsule);
-  const auto other = static_cast<std::size_t>(pair.other);
-  const int frame = world.robot->capsules[first].frame;
-  const double* own = world.robot->capsule_motion_bounds.row(pair.capsule).data();
+double MotionPairs::pair_travel(const BodyPair& pair) const {
+  const robot::Robot& robot = *world.robot;
+  const int frame = robot.capsules[pair.capsule].frame;
+  const double* levers = robot.capsule_motion_bounds.row(pair.capsule).data();
   if (!pair.other_is_object) {
-    return relative_travel(frame, own, world.robot->capsules[other].frame,
-                           world.robot->capsule_motion_bounds.row(pair.other).data());
+    return relative_travel(frame, levers, robot.capsules[pair.other].frame,
+                           robot.capsule_motion_bounds.row(pair.other).data());
   }
   if (pair.other == world.target && target_state == TargetState::attached) {
-    return relative_travel(frame, own, world.attached.frame, world.attached.motion_bounds.data());
+    return relative_travel(frame, levers, world.attached.frame,
+                           world.attached.motion_bounds.data());
   }
-  return scratch.body_travel[first] + scratch.object_travel[other];
+  return scratch.body_travel[pair.capsule] + scratch.object_travel[pair.other];
 }
 
 double MotionPairs::slack_lower_bound(const PairSeparation& pair) const {
   const CollisionScratch::BoundingSphere& a = scratch.bounding_spheres[pair.capsule];
-  const double around = a.radius + pair.required_distance_m;
-  const auto other = static_cast<std::size_t>(pair.other);
+  const double padding_m = a.radius + pair.required_distance_m;
   if (!pair.other_is_object) {
-    const CollisionScratch::BoundingSphere& b = scratch.bounding_spheres[other];
-    return (a.centre - b.centre).norm() - b.radius - around;
+    const CollisionScratch::BoundingSphere& b = scratch.bounding_spheres[pair.other];
+    return (a.centre - b.centre).norm() - b.radius - padding_m;
   }
-  const Pose& pose = scratch.object_poses[other];
+  const Pose& pose = scratch.object_poses[pair.other];
   const Vec3 in_object = pose.linear().transpose() * (a.centre - pose.translation());
-  return signed_distance_lower_bound(solid_at(world, other), in_object) - around;
-}
-
-void MotionPairs::measure(PairSeparation& pair) const {
-  const CapsuleBody& first = scratch.bodies[pair.capsule];
-  const auto other = static_cast<std::size_t>(pair.other);
-  pair.separation = pair.other_is_object
-                        ? capsule_solid(first, solid_at(world, other), scratch.object_poses[other])
-                        : capsule_capsule(first, scratch.bodies[other]);
+  return signed_distance_lower_bound(solid_at(world, pair.other), in_object) - padding_m;
 }
 
 /// Returns the parameter at which the demonstration time reaches `time_s`, by bisection.
 double MotionPairs::parameter_at_time(double time_s) const {
   double low = motion.begin, high = motion.end;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < kTimeBisections; ++k) {
     const double middle = 0.5 * (low + high);
     (motion.demonstration_time(middle) < time_s ? low : high) = middle;
   }
   return high;
 }
 
-bool MotionPairs::may_touch(const PairSeparation& pair) const {
+bool MotionPairs::may_touch(const BodyPair& pair) const {
   return contact_allowed && pair.other_is_object && pair.other == world.target &&
          world.robot->capsules[pair.capsule].may_touch_target;
 }
 
 void MotionPairs::for_each_part(const std::function<bool(double, double)>& part) {
-  const std::size_t pairs = world.pairs.size() + world.robot->capsules.size() * objects();
   scratch.undecided_pairs.resize(kMaxBisectionDepth + 1);
+  std::vector<BodyPair>& pairs = scratch.undecided_pairs[0];
+  pairs.clear();
+  for (const auto& [i, j] : world.pairs) pairs.push_back({i, j, false});
+  for (int i = 0; i < std::ssize(world.robot->capsules); ++i) {
+    for (int k = 0; k < std::ssize(world.scene->objects); ++k) pairs.push_back({i, k, true});
+  }
   scratch.body_travel.resize(world.robot->capsules.size());
-  scratch.object_travel.resize(objects());
+  scratch.object_travel.resize(world.scene->objects.size());
   const double begin_s = motion.demonstration_time(motion.begin);
   const double end_s = motion.demonstration_time(motion.end);
   std::array<double, 4> borders{world.touch_begin_s, world.touch_end_s, world.attached.begin_s,
@@ -129,16 +115,12 @@ void MotionPairs::for_each_part(const std::function<bool(double, double)>& part)
   std::ranges::sort(borders);
   double from = motion.begin;
   for (const double border : borders) {
-    if (border > from) {
-      scratch.undecided_pairs[0].resize(pairs);
-      std::iota(scratch.undecided_pairs[0].begin(), scratch.undecided_pairs[0].end(),
-                std::size_t{0});
-      const double middle_s = motion.demonstration_time(0.5 * (from + border));
-      contact_allowed = middle_s >= world.touch_begin_s && middle_s <= world.touch_end_s;
-      target_state = target_state_at(world, middle_s);
-      if (!part(from, border)) return;
-      from = border;
-    }
+    if (!(border > from)) continue;
+    const double middle_s = motion.demonstration_time(0.5 * (from + border));
+    contact_allowed = middle_s >= world.touch_begin_s && middle_s <= world.touch_end_s;
+    target_state = target_state_at(world, middle_s);
+    if (!part(from, border)) return;
+    from = border;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -13,55 +14,69 @@
 namespace morphe::collision {
 namespace {
 
-constexpr std::size_t kHeader = 80, kFacet = 50, kNormal = 12;
+constexpr std::size_t kHeaderBytes = 80, kFacetBytes = 50, kNormalBytes = 12;
+constexpr std::string_view kBlanks = " \t\r\n\v\f", kByteOrderMark = "\xEF\xBB\xBF";
 
-void add_corner(const float (&corner)[3], SceneObject& mesh) {
-  mesh.vertices.emplace_back(corner[0] + 0.0f, corner[1] + 0.0f, corner[2] + 0.0f);  // avoids -0
-  const int count = static_cast<int>(mesh.vertices.size());
+void add_vertex(const float (&vertex)[3], SceneObject& mesh) {
+  // Adding 0 turns -0 into 0.
+  mesh.vertices.emplace_back(vertex[0] + 0.0f, vertex[1] + 0.0f, vertex[2] + 0.0f);
+  const std::ptrdiff_t count = std::ssize(mesh.vertices);
   if (count % 3 == 0) mesh.triangles.emplace_back(count - 3, count - 2, count - 1);
-}
-
-/// Decides by the length of the file, because text and binary files may begin with any bytes.
-bool is_binary(std::string_view bytes) {
-  std::uint32_t count = 0;
-  if (bytes.size() < kHeader + sizeof count) return false;
-  std::memcpy(&count, bytes.data() + kHeader, sizeof count);
-  return bytes.size() == kHeader + sizeof count + kFacet * std::size_t{count} ||
-         !bytes.starts_with("solid");
 }
 
 std::string read_binary(std::string_view bytes, SceneObject& mesh) {
   std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + kHeader, sizeof count);
-  bytes.remove_prefix(kHeader + sizeof count);
-  if (bytes.size() / kFacet < count)
+  std::memcpy(&count, bytes.data() + kHeaderBytes, sizeof count);
+  bytes.remove_prefix(kHeaderBytes + sizeof count);
+  if (bytes.size() / kFacetBytes < count)
     return fmt::format("the header states {} facets, but the file has only {}", count,
-                       bytes.size() / kFacet);
+                       bytes.size() / kFacetBytes);
   for (std::uint32_t k = 0; k < count; ++k) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
-      float at[3];
-      std::memcpy(at, bytes.data() + k * kFacet + kNormal + corner * sizeof at, sizeof at);
-      add_corner(at, mesh);
+      float vertex[3];
+      std::memcpy(vertex, bytes.data() + k * kFacetBytes + kNormalBytes + corner * sizeof vertex,
+                  sizeof vertex);
+      add_vertex(vertex, mesh);
     }
   }
   return "";
 }
 
-/// Splits a text into words and keeps the line of the last one.
+/// Splits a text into words and counts lines.
 struct Words {
   std::string_view rest;
   int line = 1;
 
   std::string_view next() {
-    while (!rest.empty() && std::string_view(" \t\r\n").find(rest[0]) != std::string_view::npos) {
+    while (!rest.empty() && kBlanks.find(rest[0]) != std::string_view::npos) {
       line += rest[0] == '\n' ? 1 : 0;
       rest.remove_prefix(1);
     }
-    const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+    const std::string_view word = rest.substr(0, rest.find_first_of(kBlanks));
     rest.remove_prefix(word.size());
     return word;
   }
 };
+
+/// Returns true if a text is this word, given in lower case, in any case.
+bool is_word(std::string_view text, std::string_view word) {
+  const auto lower = [](unsigned char c) { return std::tolower(c); };
+  return std::ranges::equal(text, word, {}, lower);
+}
+
+std::string_view without_mark(std::string_view bytes) {
+  return bytes.substr(bytes.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0);
+}
+
+/// Returns true if the file has the length that its number of facets requires, because a binary
+/// header may begin with any bytes, or if its first word does not begin with "solid".
+bool is_binary(std::string_view bytes) {
+  std::uint32_t count = 0;
+  if (bytes.size() < kHeaderBytes + sizeof count) return false;
+  std::memcpy(&count, bytes.data() + kHeaderBytes, sizeof count);
+  return bytes.size() == kHeaderBytes + sizeof count + kFacetBytes * std::size_t{count} ||
+         !is_word(Words{without_mark(bytes)}.next().substr(0, 5), "solid");
+}
 
 bool read_number(std::string_view word, float& number) {
   if (word.starts_with('+')) word.remove_prefix(1);
@@ -69,22 +84,29 @@ bool read_number(std::string_view word, float& number) {
   return error == std::errc() && end == word.data() + word.size();
 }
 
-/// Reads only the words after "vertex". Names may contain any text, but are on a line that begins
-/// with "solid" or "endsolid".
+/// Reads the numbers after each "vertex" and counts the vertices before each "endfacet". The rest
+/// of a line after "solid" or "endsolid" is skipped, because a name may be any text.
 std::string read_text(std::string_view text, SceneObject& mesh) {
   Words words{text};
+  int facet_vertex_count = 0;
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (word == "solid" || word == "endsolid") {
+    if (is_word(word, "solid") || is_word(word, "endsolid")) {
       words.rest.remove_prefix(std::min(words.rest.find('\n'), words.rest.size()));
-    } else if (word == "endfacet" && mesh.vertices.size() % 3 != 0) {
-      return fmt::format("line {}: a facet must have 3 corners", words.line);
-    } else if (word == "vertex") {
-      float corner[3];
-      for (float& value : corner) {
-        if (!read_number(words.next(), value))
-          return fmt::format("line {}: a corner needs 3 numbers", words.line);
+    } else if (is_word(word, "endfacet")) {
+      if (facet_vertex_count != 3) {
+        return fmt::format("line {}: the facet that ends here has {} {}, not 3", words.line,
+                           facet_vertex_count, facet_vertex_count == 1 ? "vertex" : "vertices");
       }
-      add_corner(corner, mesh);
+      facet_vertex_count = 0;
+    } else if (is_word(word, "vertex")) {
+      const int line = words.line;
+      float vertex[3];
+      for (float& value : vertex) {
+        if (!read_number(words.next(), value))
+          return fmt::format("line {}: 'vertex' must be followed by 3 numbers", line);
+      }
+      add_vertex(vertex, mesh);
+      ++facet_vertex_count;
     }
   }
   return mesh.vertices.size() % 3 == 0 ? "" : "the file ends within a facet";
@@ -96,7 +118,7 @@ std::string read_stl(const std::filesystem::path& file, SceneObject& mesh) {
   std::ifstream stream(file, std::ios::binary);
   const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
   if (!stream.good() && !stream.eof()) return "cannot be read";
-  return is_binary(bytes) ? read_binary(bytes, mesh) : read_text(bytes, mesh);
+  return is_binary(bytes) ? read_binary(bytes, mesh) : read_text(without_mark(bytes), mesh);
 }
 
 }  // namespace morphe::collision

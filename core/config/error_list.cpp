@@ -18,9 +18,9 @@ void ErrorList::add(const ErrorList& more) {
 void ErrorList::throw_if_any() const {
   constexpr std::size_t kMaxReportedLines = 20;
   if (lines_.empty()) return;
-  const std::size_t told = std::min(kMaxReportedLines, lines_.size());
-  std::string text = fmt::format("{}", fmt::join(lines_.begin(), lines_.begin() + told, "\n"));
-  if (lines_.size() > told) text += fmt::format("\n… and {} more", lines_.size() - told);
+  const std::size_t reported = std::min(kMaxReportedLines, lines_.size());
+  std::string text = fmt::format("{}", fmt::join(lines_.begin(), lines_.begin() + reported, "\n"));
+  if (lines_.size() > reported) text += fmt::format("\n… and {} more", lines_.size() - reported);
   throw InputError(text);
 }
 

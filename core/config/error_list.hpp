@@ -27,8 +27,8 @@ class ErrorList {
   void add(const ErrorList& more);
   /// Returns true if the list is empty.
   bool none() const { return lines_.empty(); }
-  /// Throws one InputError with all lines, in the order in which they were added (of more than 20
-  /// the rest is only counted), unless the list is empty.
+  /// Throws one InputError with all lines in the order in which they were added, unless the list is
+  /// empty; of more than 20 lines, the rest is only counted.
   void throw_if_any() const;
 
  private:

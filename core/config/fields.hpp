@@ -40,21 +40,10 @@ concept HasValidationError = requires(const T& options) {
   { validation_error(options) } -> std::same_as<std::string>;
 };
 
-/// Reads the options of a section; throws InputError.
-template <class Options>
-void read_options(const ConfigNode& node, Options& options);
-/// Reads the options of a whole document; keys that are not part of them are errors too.
-template <class Options>
-void read_document(const ConfigNode& node, Options& options);
-/// Returns the options as YAML.
-template <class Options>
-std::string write_options(const Options& options);
-
-/// Reads the fields of a struct. Errors are added to `problems`, and reading continues with the
-/// next key.
+/// Reads the fields of a struct; adds errors to `problems` and goes on with the next key.
 class FieldReader {
  public:
-  /// Reads from `node`; errors are added to `problems`.
+  /// Makes a reader of a section.
   FieldReader(ConfigNode node, ErrorList& problems) : node_(std::move(node)), problems_(problems) {}
 
   /// Reads a key, or keeps the default if it is absent.
@@ -91,9 +80,8 @@ class FieldReader {
   static void read(const ConfigNode& n, std::uint64_t& value) {
     const std::string word = n.text();
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size()) {
+    if (error != std::errc() || end != word.data() + word.size())
       n.fail(fmt::format("must be a whole number from 0 to 2^64 - 1, not '{}'", word));
-    }
   }
   static void read(const ConfigNode& n, double& value) { value = n.number(); }
   static void read(const ConfigNode& n, std::string& value) { value = n.text(); }
@@ -112,9 +100,8 @@ class FieldReader {
   template <class T>
   void read(const ConfigNode& n, std::vector<T>& values) {
     values.clear();
-    for (const ConfigNode& item : n.items()) {
+    for (const ConfigNode& item : n.items())
       problems_.attempt([&] { read(item, values.emplace_back()); });
-    }
   }
   template <class T>
   void read(const ConfigNode& n, std::optional<T>& value) {
@@ -131,7 +118,7 @@ class FieldWriter {
   /// `indent` is put in front of every line.
   explicit FieldWriter(std::string indent = "") : indent_(std::move(indent)) {}
 
-  /// Writes a key.
+  /// Writes a key and its value; an absent optional is omitted.
   template <class T>
   void operator()(const char* key, T& value) {
     const std::string written = write(value, indent_ + "  ");
@@ -147,11 +134,9 @@ class FieldWriter {
 
  private:
   static std::string write(bool value, const std::string&) { return value ? " true" : " false"; }
-  static std::string write(int value, const std::string&) { return fmt::format(" {}", value); }
-  static std::string write(std::uint64_t value, const std::string&) {
-    return fmt::format(" {}", value);
-  }
-  static std::string write(double value, const std::string&) { return fmt::format(" {}", value); }
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  static std::string write(Number value, const std::string&) { return fmt::format(" {}", value); }
   static std::string write(const std::string& value, const std::string&) {
     std::string quoted;
     for (const char c : value) quoted += c == '\'' ? std::string("''") : std::string(1, c);
@@ -191,7 +176,7 @@ class FieldWriter {
   std::string indent_;
 };
 
-/// Implementation of read_options().
+/// Reads the options of a section; throws one InputError with all errors.
 template <class Options>
 void read_options(const ConfigNode& node, Options& options) {
   ErrorList problems;
@@ -199,7 +184,7 @@ void read_options(const ConfigNode& node, Options& options) {
   problems.throw_if_any();
 }
 
-/// Implementation of read_document().
+/// Reads the options of a whole document; keys that are not part of them are errors too.
 template <class Options>
 void read_document(const ConfigNode& node, Options& options) {
   ErrorList problems;
@@ -208,7 +193,7 @@ void read_document(const ConfigNode& node, Options& options) {
   problems.throw_if_any();
 }
 
-/// Implementation of write_options().
+/// Returns the options as YAML.
 template <class Options>
 std::string write_options(const Options& options) {
   FieldWriter writer;

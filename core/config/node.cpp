@@ -10,7 +10,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <numbers>
 #include <set>
 #include <sstream>
 
@@ -19,20 +18,17 @@
 #include "core/files/printable.hpp"
 
 namespace morphe::config {
-
 namespace {
 
 constexpr std::size_t kMaxValueCount = 1'000'000, kMaxDocumentBytes = std::size_t{64} << 20;
 constexpr int kMaxNestingDepth = 100;
 
-/// Detects whether a document has any content.
+/// Finds the first line with content in a document.
 struct ContentDetector : YAML::EventHandler {
-  bool has_content = false;
-  int line = 0;
+  int line = 0;  ///< 0 = no content
 
   void notice(const YAML::Mark& mark) {
-    if (!has_content) line = mark.line + 1;
-    has_content = true;
+    if (line == 0) line = mark.line + 1;
   }
   void OnDocumentStart(const YAML::Mark&) override {}
   void OnDocumentEnd() override {}
@@ -61,10 +57,23 @@ YAML::Node parse_single_document(const std::string& text, const std::string& lab
   std::istringstream stream(text);
   YAML::Parser parser(stream);
   ContentDetector first, second;
-  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.has_content)
+  if (parser.HandleNextDocument(first) && parser.HandleNextDocument(second) && second.line > 0)
     throw InputError(fmt::format("{}:{}: a second YAML document begins; only one is allowed", label,
                                  second.line));
   return YAML::Load(text);
+}
+
+std::string join(const std::string& path, std::string_view key) {
+  const std::string shown = files::make_printable(key);
+  return path.empty() ? shown : fmt::format("{}.{}", path, shown);
+}
+
+/// Returns a hint which of the unrequested keys is meant to be the missing one, or "".
+std::string missing_key_hint(std::string_view key, const std::vector<std::string>& unrequested) {
+  const std::string former = former_name(key, unrequested);
+  if (!former.empty()) return fmt::format("; '{}' is now called '{}'", former, key);
+  const std::string misspelt = nearest_word(key, unrequested);
+  return misspelt.empty() ? "" : fmt::format("; is '{}' a misspelling of it?", misspelt);
 }
 
 }  // namespace
@@ -73,53 +82,40 @@ struct ConfigNode::Value {
   enum class Kind { empty, scalar, list, map } kind = Kind::empty;
   std::string scalar;
   std::vector<std::pair<std::string, std::unique_ptr<Value>>> children;  ///< empty keys for a list
-  std::string file;                                                      ///< file that contains it
-  std::string origin;  ///< "FILE:LINE" or "--set a.b"
+  std::string file, origin;  ///< origin: "FILE:LINE" or "--set a.b"
   int line = 0;
   bool read = false;
-  std::set<std::string, std::less<>> requested_keys;  ///< keys that were looked up
-
+  std::set<std::string, std::less<>> requested_keys;
   std::map<std::string, Value*, std::less<>> by_key;  ///< children of a map
 
   Value* find(std::string_view key) const {
     const auto found = by_key.find(key);
     return found == by_key.end() ? nullptr : found->second;
   }
-
   void add(const std::string& key, std::unique_ptr<Value> child) {
     if (kind == Kind::map) by_key[key] = child.get();
     children.emplace_back(key, std::move(child));
   }
-
   void put(const std::string& key, std::unique_ptr<Value> child) {
-    for (auto& [name, there] : children) {
-      if (name != key) continue;
-      by_key[key] = child.get();
-      there = std::move(child);
-      return;
-    }
-    add(key, std::move(child));
+    const auto old = std::ranges::find(children, key, &decltype(children)::value_type::first);
+    if (old == children.end()) return add(key, std::move(child));
+    by_key[key] = child.get();
+    old->second = std::move(child);
   }
-
   void erase(std::string_view key) {
     std::erase_if(children, [&](const auto& child) { return child.first == key; });
     if (const auto found = by_key.find(key); found != by_key.end()) by_key.erase(found);
   }
-
   void mark_all_read() {
     read = true;
     for (const auto& entry : children) entry.second->mark_all_read();
   }
-
-  /// Returns the names of children that were not requested.
   std::vector<std::string> unrequested_keys() const {
     std::vector<std::string> names;
-    for (const auto& entry : children) {
+    for (const auto& entry : children)
       if (!requested_keys.contains(entry.first)) names.push_back(entry.first);
-    }
     return names;
   }
-
   std::unique_ptr<Value> clone() const {
     auto copy = std::make_unique<Value>();
     copy->kind = kind;
@@ -131,25 +127,20 @@ struct ConfigNode::Value {
     for (const auto& [key, child] : children) copy->add(key, child->clone());
     return copy;
   }
-
   void extend(const Value& base) {
     if (kind != Kind::map || base.kind != Kind::map) return;
-    for (const auto& [key, child] : base.children) {
-      if (Value* own = find(key)) {
+    for (const auto& [key, child] : base.children)
+      if (Value* own = find(key))
         own->extend(*child);
-      } else {
+      else
         add(key, child->clone());
-      }
-    }
   }
-
   void set_file(const std::string& name) {
     file = name;
     for (auto& entry : children) entry.second->set_file(name);
   }
 
-  /// Limits of the conversion of a document: aliases can expand a short text to a large value, or
-  /// to an infinite one if a value contains itself.
+  /// The rest of a document's limits: aliases can expand a short text to an infinite value.
   struct ConversionLimits {
     std::size_t values = kMaxValueCount;
     int depth = kMaxNestingDepth;
@@ -161,14 +152,12 @@ struct ConfigNode::Value {
     value->line = node.Mark().line + 1;
     value->file = label;
     value->origin = fmt::format("{}:{}", label, value->line);
-    if (budget.depth == 0) {
+    if (budget.depth == 0)
       throw InputError(fmt::format("{}: is nested deeper than {} levels, or contains itself",
                                    value->origin, kMaxNestingDepth));
-    }
-    if (budget.values == 0) {
+    if (budget.values == 0)
       throw InputError(
           fmt::format("{}: the document has more than {} values", value->origin, kMaxValueCount));
-    }
     --budget.values;
     --budget.depth;
     if (node.IsScalar()) {
@@ -182,10 +171,9 @@ struct ConfigNode::Value {
       for (const auto& entry : node) {
         const std::string key = entry.first.as<std::string>();
         const int line = entry.first.Mark().line + 1;
-        if (value->find(key)) {
+        if (value->find(key))
           throw InputError(fmt::format("{}:{}: {}: the key appears twice", label, line,
                                        files::make_printable(key)));
-        }
         auto child = convert(entry.second, label, budget);
         if (child->kind == Kind::empty) child->origin = fmt::format("{}:{}", label, line);
         value->add(key, std::move(child));
@@ -201,28 +189,10 @@ struct ConfigNode::Document {
   std::unique_ptr<Value> root;
 };
 
-namespace {
-
-std::string join(const std::string& path, std::string_view key) {
-  const std::string shown = files::make_printable(key);
-  return path.empty() ? shown : fmt::format("{}.{}", path, shown);
-}
-
-/// Which of the strangers was meant for a key that is missing; "" if none.
-std::string missing_key_hint(std::string_view key, const std::vector<std::string>& strangers) {
-  const std::string former = former_key(key, strangers);
-  if (!former.empty()) return fmt::format("; '{}' is now called '{}'", former, key);
-  const std::string stranger = nearest_word(key, strangers);
-  return stranger.empty() ? "" : fmt::format("; is '{}' a misspelling of it?", stranger);
-}
-
-}  // namespace
-
 ConfigNode ConfigNode::load(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
+  if (!stream || std::filesystem::is_directory(file))
     throw InputError(fmt::format("{}: cannot be read{}", file.string(), file_spelling_hint(file)));
-  }
   std::stringstream text;
   text << stream.rdbuf();
   if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
@@ -241,10 +211,8 @@ ConfigNode ConfigNode::parse(const std::string& text, const std::string& label) 
     throw InputError(
         fmt::format("{}:{}: not valid YAML: {}", label, error.mark.line + 1, error.msg));
   }
-  if (document->root->kind == Value::Kind::empty) {
-    throw InputError(fmt::format("{}: is empty", label));
-  }
   Value* root = document->root.get();
+  if (root->kind == Value::Kind::empty) throw InputError(label + ": is empty");
   return {std::move(document), root, ""};
 }
 
@@ -270,10 +238,9 @@ ConfigNode ConfigNode::operator[](std::string_view key) const {
   expect_map();
   value_->requested_keys.emplace(key);
   Value* child = value_->find(key);
-  if (!child) {
+  if (!child)
     throw InputError(fmt::format("{}: {}: is missing{}", value_->origin, join(key_, key),
                                  missing_key_hint(key, value_->unrequested_keys())));
-  }
   child->read = true;
   return {document_, child, join(key_, key)};
 }
@@ -281,10 +248,8 @@ ConfigNode ConfigNode::operator[](std::string_view key) const {
 std::vector<ConfigNode> ConfigNode::items() const {
   if (!is_list()) fail_shape("must be a list");
   std::vector<ConfigNode> nodes;
-  for (std::size_t i = 0; i < value_->children.size(); ++i) {
-    nodes.push_back(
-        ConfigNode(document_, value_->children[i].second.get(), fmt::format("{}[{}]", key_, i)));
-  }
+  for (const auto& [key, child] : value_->children)
+    nodes.push_back({document_, child.get(), fmt::format("{}[{}]", key_, nodes.size())});
   return nodes;
 }
 
@@ -304,9 +269,8 @@ std::int64_t ConfigNode::integer() const {
   const std::string word = text();
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size()) {
+  if (error != std::errc() || end != word.data() + word.size())
     fail(fmt::format("must be a whole number, not '{}'", word));
-  }
   return number;
 }
 
@@ -321,9 +285,8 @@ double ConfigNode::number() const {
   const char* begin = word.data() + (word.starts_with('+') && !word.starts_with("+-") ? 1 : 0);
   double number = 0;
   const auto [end, error] = std::from_chars(begin, word.data() + word.size(), number);
-  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number)) {
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(number))
     fail(fmt::format("must be a number, not '{}'", text()));
-  }
   return number * factor;
 }
 
@@ -358,28 +321,27 @@ void ConfigNode::set(const std::string& dotted_path, const std::string& value) {
   replacement->set_file(document_->root->file);
   Value* parent = value_;
   std::stringstream path(dotted_path);
-  std::vector<std::string> steps;
-  for (std::string step; std::getline(path, step, '.');) steps.push_back(step);
-  if (steps.empty()) throw InputError("--set: must have the form a.b=value");
-  if (steps.size() > kMaxNestingDepth)
+  std::vector<std::string> keys;
+  for (std::string key; std::getline(path, key, '.');) keys.push_back(key);
+  if (keys.empty()) throw InputError("--set: must have the form a.b=value");
+  if (std::ssize(keys) > kMaxNestingDepth)
     throw InputError(fmt::format("--set: names more than {} levels", kMaxNestingDepth));
-  for (std::size_t i = 0; i + 1 < steps.size(); ++i) {
-    Value* child = parent->find(steps[i]);
+  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+    Value* child = parent->find(keys[i]);
     if (!child) {
       auto made = std::make_unique<Value>();
       made->kind = Value::Kind::map;
       made->origin = label;
       made->file = document_->root->file;
       child = made.get();
-      parent->add(steps[i], std::move(made));
+      parent->add(keys[i], std::move(made));
     }
     if (child->kind == Value::Kind::empty) child->kind = Value::Kind::map;
-    if (child->kind != Value::Kind::map) {
-      throw InputError(fmt::format("{}: '{}' is not a section", label, steps[i]));
-    }
+    if (child->kind != Value::Kind::map)
+      throw InputError(fmt::format("{}: '{}' is not a section", label, keys[i]));
     parent = child;
   }
-  parent->put(steps.back(), std::move(replacement));
+  parent->put(keys.back(), std::move(replacement));
 }
 
 void ConfigNode::extend(const ConfigNode& base) { value_->extend(*base.value_); }

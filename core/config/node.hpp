@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@
 namespace morphe::config {
 
 /// A YAML value that stores its position (file, line, key) and whether it was read. Copies refer to
-/// the same document. All functions throw InputError "FILE:LINE: KEY: message".
+/// the same document. Errors are thrown as InputError "FILE:LINE: KEY: message".
 class ConfigNode {
  public:
   /// Reads a file; throws if it cannot be read, is not YAML, or repeats a key.
@@ -30,7 +29,7 @@ class ConfigNode {
   bool is_list() const;
   /// Returns true if the value is a scalar.
   bool is_scalar() const;
-  /// Returns true if the key has a value; "key:" alone counts as absent.
+  /// Returns true if this is a map whose key has a value; "key:" alone counts as absent.
   bool has(std::string_view key) const;
   /// Returns the keys of a map, in the file's order, without marking them as read.
   std::vector<std::string> keys() const;
@@ -54,17 +53,16 @@ class ConfigNode {
   /// Returns a list of texts; throws otherwise.
   std::vector<std::string> texts() const;
 
-  /// Sets the value at a dotted path below this node ("map.w_x"); `value` is YAML.
+  /// Sets the value at a dotted path below this node ("map.w_x"), as --set does; `value` is YAML.
   void set(const std::string& dotted_path, const std::string& value);
   /// Adds the values of `base` that are missing here: mappings key by key, other values as a whole.
   /// Added values keep their file and line.
   void extend(const ConfigNode& base);
   /// Removes a key, whether it was read or not; it may be absent.
   void erase(std::string_view key);
-  /// Returns a copy of this value as a separate document whose keys are not marked as read.
+  /// Returns a copy of this value as a document of its own: reading it marks no keys here.
   ConfigNode copy_as_document() const;
-  /// Reports the keys of this document that were not read, each with the most similar key among
-  /// those that were requested at this position.
+  /// Adds the document's unread keys to the errors, each with the most similar one requested there.
   void report_unread_keys(ErrorList& problems) const;
   /// Throws if there are any unread keys.
   void require_all_keys_read() const;
@@ -72,11 +70,10 @@ class ConfigNode {
   void expect_map() const;
   /// Throws InputError about this value.
   [[noreturn]] void fail(const std::string& message) const;
-  /// Throws InputError. If the message begins with the name of a key of this map ("step_s must be
-  /// positive"), the error refers to that key and its line.
+  /// Throws InputError about the key of this map that begins the message ("step_s must …").
   [[noreturn]] void fail_at_key(const std::string& message) const;
 
-  std::filesystem::path file() const;  ///< as passed to load()
+  std::filesystem::path file() const;  ///< that contains this value
   /// Returns the folder of the file that contains this value, to which paths are relative.
   std::filesystem::path folder() const;
   /// Returns the line of this value in its file.

@@ -6,14 +6,14 @@
 
 namespace morphe::config {
 
-/// The candidate that a key, or a value of an enumeration, of this old name is called by today; ""
-/// if the name is none of the old ones, or no candidate is its new one.
-std::string renamed_key(std::string_view old_name, const std::vector<std::string>& candidates);
+/// Returns the one of `candidates` that the option ("--out"), key or enumeration value `old_name`
+/// is called today, or "" if it was not renamed to one of them.
+std::string current_name(std::string_view old_name, const std::vector<std::string>& candidates);
 
-/// The other way round: which of the words is an old name of `name`; "" if none is.
-std::string former_key(std::string_view name, const std::vector<std::string>& words);
+/// Returns the one of `candidates` that is an old name of `name`, or "".
+std::string former_name(std::string_view name, const std::vector<std::string>& candidates);
 
-/// "; it is now called 'x'", or "".
+/// Returns "; it is now called 'x'" with x from current_name(), or "" if that is empty.
 std::string renaming_hint(std::string_view old_name, const std::vector<std::string>& candidates);
 
 }  // namespace morphe::config

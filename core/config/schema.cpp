@@ -7,6 +7,32 @@
 #include "core/config/spelling_hint.hpp"
 
 namespace morphe::config {
+namespace {
+
+/// Allows "key:" without a value, which requests the default.
+void allow_null(Schema& schema) {
+  if (schema.contains("enum")) schema["enum"].push_back(nullptr);
+  if (!schema.contains("type")) return;
+  if (schema["type"].is_string()) schema["type"] = Schema::array({schema["type"]});
+  schema["type"].push_back("null");
+}
+
+void report_unknown_keys_below(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
+  if (node.is_list() && schema.contains("items"))
+    for (const ConfigNode& item : node.items())
+      report_unknown_keys_below(item, schema["items"], problems);
+  if (!node.is_map() || !schema.contains("properties")) return;
+  const Schema& known = schema["properties"];
+  std::vector<std::string> names;
+  for (const auto& [name, value] : known.items()) names.push_back(name);
+  for (const std::string& key : node.keys())
+    if (known.contains(key))
+      report_unknown_keys_below(node[key], known[key], problems);
+    else
+      problems.attempt([&] { node[key].fail("unknown key" + spelling_hint(key, names)); });
+}
+
+}  // namespace
 
 Schema number_schema() {
   return {{"type", {"number", "string"}},
@@ -22,18 +48,6 @@ Schema list_schema(const Schema& items) { return {{"type", "array"}, {"items", i
 Schema list_schema(const Schema& items, std::size_t count) {
   return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
 }
-
-namespace {
-
-/// Allows "key:" without a value, which requests the default.
-void allow_null(Schema& schema) {
-  if (schema.contains("enum")) schema["enum"].push_back(nullptr);
-  if (!schema.contains("type")) return;
-  if (schema["type"].is_string()) schema["type"] = Schema::array({schema["type"]});
-  schema["type"].push_back("null");
-}
-
-}  // namespace
 
 Schema object_schema(const std::vector<SchemaKey>& keys) {
   Schema properties = Schema::object(), required = Schema::array();
@@ -56,29 +70,6 @@ Schema schema_document(const std::string& title, Schema schema) {
   document.update(schema);
   return document;
 }
-
-namespace {
-
-void report_unknown_keys_below(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
-  if (node.is_list() && schema.contains("items")) {
-    for (const ConfigNode& item : node.items()) {
-      report_unknown_keys_below(item, schema["items"], problems);
-    }
-  }
-  if (!node.is_map() || !schema.contains("properties")) return;
-  const Schema& known = schema["properties"];
-  std::vector<std::string> names;
-  for (const auto& [name, value] : known.items()) names.push_back(name);
-  for (const std::string& key : node.keys()) {
-    if (known.contains(key)) {
-      report_unknown_keys_below(node[key], known[key], problems);
-    } else {
-      problems.attempt([&] { node[key].fail("unknown key" + spelling_hint(key, names)); });
-    }
-  }
-}
-
-}  // namespace
 
 void report_unknown_keys(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
   // The copy keeps these reads from marking keys as read.

@@ -4,7 +4,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <typeinfo>
 #include <vector>
 
@@ -12,15 +11,14 @@
 
 namespace morphe::config {
 
-/// A JSON Schema (draft 2020-12) of the permitted content of a YAML file, for editors and
-/// validators.
+/// A JSON Schema (draft 2020-12) of the permitted content of a YAML file.
 using Schema = nlohmann::ordered_json;
 
 /// Returns the schema of a number, which includes "177 deg".
 Schema number_schema();
 /// Returns the schema of an integer.
 Schema integer_schema();
-/// Returns the schema of any scalar, because YAML needs no quotes.
+/// Returns the schema of a text, which is any scalar, because texts in YAML need no quotes.
 Schema scalar_schema();
 /// Returns the schema of a boolean.
 Schema boolean_schema();
@@ -31,34 +29,30 @@ Schema list_schema(const Schema& items);
 /// Returns the schema of a list with `count` items.
 Schema list_schema(const Schema& items, std::size_t count);
 
-/// A key of a map, with the spelling of the file.
+/// A key of a map in a file.
 struct SchemaKey {
   std::string name;
   Schema schema;
   std::string description;
   bool required = false;
 };
-/// Returns the schema of a map with these keys and no others. A key that is not required may have
-/// no value.
+/// Returns the schema of a map with only these keys; those that are not required may have no value.
 Schema object_schema(const std::vector<SchemaKey>& keys);
 
 /// Returns the schema of a whole file, with a title and the version of JSON Schema.
 Schema schema_document(const std::string& title, Schema schema);
 
-/// Reports every key of the document that its schema does not have, with the most similar permitted
-/// key.
+/// Adds keys that the schema does not have to the errors, each with the most similar permitted key.
 void report_unknown_keys(const ConfigNode& node, const Schema& schema, ErrorList& problems);
 
-/// Returns the description of a key of an options struct ("MapOptions", "starts"), "" if it has no
-/// description.
+/// Returns the description of an options struct's key ("MapOptions", "starts"), or "".
 using KeyDescriptions = std::function<std::string(const std::string&, const std::string&)>;
 
 /// Returns the unqualified name of a type: "morphe::map::MapOptions" -> "MapOptions".
 std::string type_name(const std::type_info& type);
 
-/// Builds the schema of an options struct from its fields(), like FieldReader and FieldWriter, with
-/// the struct's values as defaults. Numbers have the bounds 0 and 1 if the struct's
-/// validation_error() enforces them.
+/// Builds the schema of an options struct from its fields(). The values of the struct are the
+/// defaults; numbers get the bounds 0, 0.001 and 1 if its validation_error() enforces them.
 class FieldSchema {
  public:
   /// `partial`: required keys may come from a base that a config extends.
@@ -87,9 +81,9 @@ class FieldSchema {
   /// Returns the schema of a struct.
   template <HasFields T>
   static Schema struct_schema(T& value, const KeyDescriptions& meanings, bool partial) {
-    std::function<std::string()> why;
-    if constexpr (HasValidationError<T>) why = [&value] { return validation_error(value); };
-    FieldSchema inner(type_name(typeid(T)), meanings, partial, std::move(why));
+    std::function<std::string()> validate;
+    if constexpr (HasValidationError<T>) validate = [&value] { return validation_error(value); };
+    FieldSchema inner(type_name(typeid(T)), meanings, partial, std::move(validate));
     fields(inner, value);
     return inner.schema();
   }
@@ -126,21 +120,19 @@ class FieldSchema {
     return struct_schema(value, meanings_, partial_);
   }
 
-  /// Adds those of the bounds 0, 0.001 and 1 that the struct's validation_error() enforces, found
-  /// by trying values.
+  /// Adds the bounds 0, 0.001 and 1 that validation_error() enforces, found by trying values.
   template <class Number>
   Schema with_bounds(Schema schema, Number& value, double step) const {
     if (!validate_ || !validate_().empty()) return schema;
     const Number kept = value;
     const auto holds = [&](double tried) {
       value = static_cast<Number>(tried);
-      const bool fine = validate_().empty();
+      const bool valid = validate_().empty();
       value = kept;
-      return fine;
+      return valid;
     };
-    for (const double bound : {0.0, std::integral<Number> ? 1.0 : 1e-3}) {
+    for (const double bound : {0.0, std::integral<Number> ? 1.0 : 1e-3})
       if (!holds(bound - step) && holds(bound) && holds(bound + step)) schema["minimum"] = bound;
-    }
     if constexpr (!std::integral<Number>) {
       if (!holds(0) && holds(step) && holds(2 * step)) schema["exclusiveMinimum"] = 0;
       if (!holds(1 + step) && holds(1) && holds(1 - step)) schema["maximum"] = 1;

@@ -38,17 +38,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates) {
-  std::string best;
-  std::size_t fewest = 0;
+  std::string nearest;
+  std::size_t min_edits = 0;
   for (const std::string& candidate : candidates) {
     const std::size_t edits = edit_distance(word, candidate);
     const std::size_t letters = std::max(word.size(), candidate.size());
-    if (3 * edits > std::max<std::size_t>(letters, 3) || edits == letters) continue;
-    if (!best.empty() && edits >= fewest) continue;
-    best = candidate;
-    fewest = edits;
+    if (3 * edits > std::max<std::size_t>(letters, 3) || edits == letters ||
+        (!nearest.empty() && edits >= min_edits))
+      continue;
+    nearest = candidate;
+    min_edits = edits;
   }
-  return best;
+  return nearest;
 }
 
 std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates) {
@@ -64,9 +65,8 @@ std::string file_spelling_hint(const fs::path& missing) {
   if (fs::exists(missing, ignored)) return "";
   std::vector<std::string> names;
   for (const fs::directory_entry& entry :
-       fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+       fs::directory_iterator(folder.empty() ? "." : folder, ignored))
     names.push_back(entry.path().filename().string());
-  }
   std::ranges::sort(names);
   const std::string meant = nearest_word(missing.filename().string(), names);
   return meant.empty() ? "" : fmt::format("; did you mean '{}'?", (folder / meant).string());

@@ -8,17 +8,16 @@
 namespace morphe::config {
 
 /// Returns the smallest number of insertions, deletions, substitutions and swaps of adjacent
-/// letters that transform `b` into `a`; case and the characters '-', '_' and ' ' are ignored.
+/// letters that transform `b` into `a`; case is ignored, and '-', '_' and ' ' are the same letter.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// Returns the candidate with the smallest edit distance (the first of several), if it is at most a
-/// third of the letters; otherwise "".
+/// Returns the first candidate of least edit distance, "" if that is over a third of the letters.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns "; did you mean 'x'?", or "".
+/// Returns renaming_hint(), or if that is empty "; did you mean 'x'?" with nearest_word(), or "".
 std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns the same hint for a missing file, with the names in its folder as candidates.
+/// Returns "; did you mean 'x'?" with the nearest name in the folder of a missing file, or "".
 std::string file_spelling_hint(const std::filesystem::path& missing);
 
 }  // namespace morphe::config

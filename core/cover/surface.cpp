@@ -4,12 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/cover/constants.hpp"
 #include "core/math/random_stream.hpp"
 
 namespace morphe::cover {
 namespace {
-
-constexpr int kFacetsPerCircle = 24;  ///< facets around a cylinder
 
 void add_quad(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
               std::vector<Triangle>& out) {
@@ -34,27 +33,26 @@ void add_revolution_surface(const Pose& pose, const std::vector<Eigen::Vector2d>
                             std::vector<Triangle>& out) {
   // Facets are tangent to the circle.
   const double wider = 1 / std::cos(std::numbers::pi / kFacetsPerCircle);
-  const auto at = [&](const Eigen::Vector2d& p, int k) -> Vec3 {
+  const auto point = [&](int i, int k) -> Vec3 {
+    const Eigen::Vector2d& p = profile[i];
     const double angle = 2 * std::numbers::pi * k / kFacetsPerCircle;
     return pose * Vec3(wider * p.x() * std::cos(angle), wider * p.x() * std::sin(angle), p.y());
   };
-  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
+  for (int i = 0; i + 1 < std::ssize(profile); ++i) {
     for (int k = 0; k < kFacetsPerCircle; ++k) {
-      add_quad(at(profile[i], k), at(profile[i], k + 1), at(profile[i + 1], k + 1),
-               at(profile[i + 1], k), out);
+      add_quad(point(i, k), point(i, k + 1), point(i + 1, k + 1), point(i + 1, k), out);
     }
   }
 }
 
 /// Returns the profile of a sphere whose two halves are `length` apart.
 std::vector<Eigen::Vector2d> sphere_profile(double radius, double length) {
-  constexpr int kStepCount = 12;
-  const double wider = 1 / std::cos(std::numbers::pi / (2 * kStepCount));
+  const double wider = 1 / std::cos(std::numbers::pi / (2 * kFacetsPerHalfCircle));
   std::vector<Eigen::Vector2d> profile;
-  for (int k = 0; k <= kStepCount; ++k) {
-    const double polar = std::numbers::pi * k / kStepCount;
-    const double half = (2 * k < kStepCount ? 0.5 : -0.5) * length;
-    if (2 * k == kStepCount) profile.emplace_back(wider * radius, 0.5 * length);
+  for (int k = 0; k <= kFacetsPerHalfCircle; ++k) {
+    const double polar = std::numbers::pi * k / kFacetsPerHalfCircle;
+    const double half = (2 * k < kFacetsPerHalfCircle ? 0.5 : -0.5) * length;
+    if (2 * k == kFacetsPerHalfCircle) profile.emplace_back(wider * radius, 0.5 * length);
     profile.emplace_back(wider * radius * std::sin(polar), half + wider * radius * std::cos(polar));
   }
   return profile;
@@ -64,25 +62,20 @@ void add(const SceneObject& body, std::vector<Triangle>& out) {
   const Pose pose =
       body.position.empty() ? Pose::Identity() : make_pose(body.position[0], body.orientation[0]);
   const auto& size = body.size;
-  switch (body.shape) {
-    case Shape::sphere:
-      return add_revolution_surface(pose, sphere_profile(size[0], 0), out);
-    case Shape::capsule:
-      return add_revolution_surface(pose, sphere_profile(size[0], size[1]), out);
-    case Shape::box:
-      return add_box(pose, 0.5 * Vec3(size[0], size[1], size[2]), out);
-    case Shape::cylinder:
-      return add_revolution_surface(pose,
-                                    {{0, 0.5 * size[1]},
-                                     {size[0], 0.5 * size[1]},
-                                     {size[0], -0.5 * size[1]},
-                                     {0, -0.5 * size[1]}},
-                                    out);
-    case Shape::mesh:
-      for (const Eigen::Vector3i& t : body.triangles) {
-        const auto corner = [&](int k) -> Vec3 { return pose * body.vertices[t[k]]; };
-        out.push_back({corner(0), corner(1), corner(2)});
-      }
+  if (body.shape == Shape::sphere)
+    return add_revolution_surface(pose, sphere_profile(size[0], 0), out);
+  if (body.shape == Shape::capsule)
+    return add_revolution_surface(pose, sphere_profile(size[0], size[1]), out);
+  if (body.shape == Shape::box) return add_box(pose, 0.5 * Vec3(size[0], size[1], size[2]), out);
+  if (body.shape == Shape::cylinder) {
+    const double radius = size[0], half = 0.5 * size[1];
+    const std::vector<Eigen::Vector2d> profile{
+        {0, half}, {radius, half}, {radius, -half}, {0, -half}};
+    return add_revolution_surface(pose, profile, out);
+  }
+  for (const Eigen::Vector3i& t : body.triangles) {
+    const auto corner = [&](int k) -> Vec3 { return pose * body.vertices[t[k]]; };
+    out.push_back({corner(0), corner(1), corner(2)});
   }
 }
 
@@ -94,13 +87,13 @@ std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies) {
   return surface;
 }
 
-std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t count,
+std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, int count,
                               const std::string& name) {
-  std::vector<double> upto;
+  std::vector<double> area_up_to;  // the sum of the areas of a triangle and those before it
   double sum = 0;
   for (const Triangle& t : surface) {
     sum += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
-    upto.push_back(sum);
+    area_up_to.push_back(sum);
   }
   std::vector<Vec3> points;
   if (!(sum > 0)) {  // for a degenerate surface only the vertices remain
@@ -109,14 +102,11 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
   }
   math::RandomStream random(1, name);
   points.reserve(count);
-  for (std::size_t k = 0; k < count; ++k) {
+  for (int k = 0; k < count; ++k) {
     // Stratified along the area, random within a triangle.
-    const double at =
-        sum * (static_cast<double>(k) + random.uniform()) / static_cast<double>(count);
-    const auto found = std::ranges::upper_bound(upto, at);
-    const auto index =
-        static_cast<std::size_t>(std::min<std::ptrdiff_t>(found - upto.begin(), upto.size() - 1));
-    const Triangle& t = surface[index];
+    const double area = sum * (k + random.uniform()) / count;
+    const auto found = std::ranges::upper_bound(area_up_to, area);
+    const Triangle& t = surface[std::min(found - area_up_to.begin(), std::ssize(area_up_to) - 1)];
     double u = random.uniform(), v = random.uniform();
     if (u + v > 1) {
       u = 1 - u;
@@ -130,18 +120,16 @@ std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t 
 std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface) {
   std::vector<Vec3> corners;
   if (surface.empty()) return corners;
-  // Uses fewer directions for a huge mesh, whose samples are dense anyway.
-  const int directions =
-      static_cast<int>(std::clamp<std::size_t>(60'000'000 / surface.size(), 30, 300));
+  const int directions = static_cast<int>(std::clamp<std::ptrdiff_t>(
+      kCornerProducts / std::ssize(surface), kMinDirections, kMaxDirections));
   for (int k = 0; k < directions; ++k) {  // along a spiral on the sphere
-    const double z = 1 - (2 * k + 1.0) / directions, turn = 2.399963229728653 * k;
+    const double z = 1 - (2 * k + 1.0) / directions, azimuth = 2.399963229728653 * k;
     const double r = std::sqrt(1 - z * z);
-    const Vec3 direction(r * std::cos(turn), r * std::sin(turn), z);
+    const Vec3 direction(r * std::cos(azimuth), r * std::sin(azimuth), z);
     Vec3 farthest = surface.front().a;
     for (const Triangle& t : surface) {
-      for (const Vec3& corner : {t.a, t.b, t.c}) {
+      for (const Vec3& corner : {t.a, t.b, t.c})
         if (corner.dot(direction) > farthest.dot(direction)) farthest = corner;
-      }
     }
     corners.push_back(farthest);
   }

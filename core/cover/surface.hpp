@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -13,18 +12,16 @@ struct Triangle {
   Vec3 a, b, c;
 };
 
-/// Returns the surface of bodies as triangles, at their first pose: meshes have their own
-/// triangles; cylinders and spheres are approximated by circumscribed facets, so that a set that
-/// encloses the facets encloses the body.
+/// Returns the surface of bodies, at their first pose, as triangles; cylinders and spheres have
+/// circumscribed facets, so that a set that encloses these encloses the body.
 std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies);
 
-/// Returns points distributed uniformly over the area of triangles, deterministic for the same
-/// name.
-std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, std::size_t count,
+/// Returns `count` points distributed uniformly over the area of triangles, with random numbers
+/// that `name` seeds; the vertices if the area is 0.
+std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, int count,
                               const std::string& name);
 
-/// Returns the vertices that are extreme in a few hundred directions, which include the most
-/// prominent ones.
+/// Returns the vertices that are extreme in up to 300 directions, sorted, each once.
 std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface);
 
 }  // namespace morphe::cover

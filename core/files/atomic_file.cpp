@@ -30,17 +30,16 @@ void sync(const std::filesystem::path& path, Disk& disk) {
   if (synced != 0) fail(path);
 }
 
-/// Creates and opens a new file. An existing regular file of that name was left by a killed process
-/// and is removed.
+/// Creates and opens a new file; removes a regular file that a killed process left in its place.
 int create_exclusively(const std::filesystem::path& part) {
-  constexpr int kMaxTries = 100;  // other processes may interfere
+  constexpr int kMaxTries = 100;  // another process may create it again
   for (int i = 0; i < kMaxTries; ++i) {
     const int descriptor =
         ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor >= 0) return descriptor;
     if (errno != EEXIST) return -1;
-    struct stat found {};
-    if (::lstat(part.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
+    struct stat existing {};
+    if (::lstat(part.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
       throw InputError(
           fmt::format("{}: exists and is not a regular file; remove it", part.string()));
     ::unlink(part.c_str());
@@ -84,13 +83,12 @@ void AtomicFile::write(const std::string& text) {
   std::ofstream stream(part_, std::ios::binary);
   stream << text;
   stream.close();
-  close_descriptor();  // thousands of them may wait to be committed together
+  close_descriptor();  // thousands of files may wait for commit(), more than may be open
   if (!stream) throw InputError(fmt::format("{}: cannot be written", target_.string()));
 }
 
 void AtomicFile::commit() {
-  if (!is_ours())
-    throw InputError(fmt::format("{}: another process is writing it", target_.string()));
+  if (!is_ours()) throw InputError(target_.string() + ": another process is writing it");
   sync(part_, *disk_);
   if (disk_->rename(part_.c_str(), target_.c_str()) != 0) fail(target_);
   committed_ = true;

@@ -10,12 +10,11 @@
 
 namespace morphe::files {
 
-/// A file that appears under its name only when it is complete: it is written as "<name>.part" in
-/// the same folder, then synced and renamed. It is removed if commit() is never called, also if a
-/// signal ends the process. The constructor creates the part file, empty, and replaces one that a
-/// killed process has left; links are not followed. Throws InputError if the name or the part file
-/// is a folder, a device or another object that is not a regular file, or if the part file cannot
-/// be created.
+/// A file that appears under its name only when it is complete. It is written as "<name>.part" in
+/// the same folder; commit() syncs and renames it. Without commit(), also if a signal ends the
+/// process, the part file is removed. The constructor creates the part file, in place of one that a
+/// killed process has left; links are not followed. It throws InputError if that fails, or if the
+/// name or the part file is a folder, device or other irregular file.
 class AtomicFile {
  public:
   /// Creates the part file.
@@ -28,10 +27,9 @@ class AtomicFile {
   const std::filesystem::path& target() const { return target_; }
   /// Returns the path of the part file.
   const std::filesystem::path& part() const { return part_; }
-  /// Writes a text to the part file; throws InputError on failure.
+  /// Replaces the content of the part file by a text; throws InputError on failure.
   void write(const std::string& text);
-  /// Syncs and renames the part file, which must be closed. Throws InputError if that fails, or if
-  /// another process has replaced the part file.
+  /// Syncs and renames the part file; throws InputError also if another process replaced it.
   void commit();
 
  private:
@@ -40,15 +38,13 @@ class AtomicFile {
 
   std::filesystem::path target_, part_;
   Disk* disk_;
-  /// Descriptor of the part file until its text is written, so that no other file gets its inode
-  /// number.
-  int descriptor_ = -1;
+  int descriptor_ = -1;  ///< open until the text is written, so that its inode is not reused
   std::uint64_t device_ = 0, inode_ = 0;
   std::optional<UnfinishedPath> unfinished_;
   bool committed_ = false;
 };
 
-/// Throws InputError if an output file is also an input file.
+/// Throws InputError if both paths lead to the same existing file; `out` may be "".
 void expect_not_input(const std::filesystem::path& out, const std::filesystem::path& input);
 
 /// Writes a file atomically: completely or not at all. Throws InputError if it cannot be written.

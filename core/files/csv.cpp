@@ -26,16 +26,13 @@ std::string_view trim(std::string_view text) {
 CsvText read_csv(const std::filesystem::path& file, char separator) {
   std::error_code error;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, error)) {
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
-  }
+  if (!stream || std::filesystem::is_directory(file, error))
+    throw InputError(file.string() + ": cannot be read");
   std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  if (stream.bad()) throw InputError(file.string() + ": cannot be read");
   CsvText csv{file.string(), {}, {}, separator};
-  if (text.find('\0') != std::string::npos) {
-    throw InputError(
-        fmt::format("{}: contains null bytes: not a text file, or not UTF-8", csv.file));
-  }
+  if (text.find('\0') != std::string::npos)
+    throw InputError(csv.file + ": contains null bytes: not a text file, or not UTF-8");
   if (!is_utf8(text)) {
     text = utf8_from_latin1(text);
     csv.notes.push_back("the text is not UTF-8; assumed ISO 8859-1");
@@ -57,8 +54,7 @@ CsvText read_csv(const std::filesystem::path& file, char separator) {
 }
 
 bool CsvText::is_blank(std::size_t line) const {
-  return std::ranges::all_of(lines[line - 1],
-                             [&](char c) { return c == separator || c == ' ' || c == '\t'; });
+  return lines[line - 1].find_first_not_of(std::string{separator, ' ', '\t'}) == std::string::npos;
 }
 
 std::vector<std::string_view> CsvText::cells(std::size_t line) const {

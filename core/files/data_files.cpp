@@ -13,9 +13,8 @@ fs::path this_module() {
   Dl_info info{};
   link_map* map = nullptr;
   if (dladdr1(reinterpret_cast<const void*>(&this_module), &info, reinterpret_cast<void**>(&map),
-              RTLD_DL_LINKMAP) == 0) {
+              RTLD_DL_LINKMAP) == 0)
     return {};
-  }
   // The program itself has an empty name in the list of loaded modules.
   std::error_code ignored;
   return fs::canonical(*map->l_name ? map->l_name : "/proc/self/exe", ignored);
@@ -24,11 +23,9 @@ fs::path this_module() {
 /// Returns the folder of shipped files: PREFIX/bin/morphe and PREFIX/lib/libmorphe.so, or
 /// lib/x86_64-linux-gnu, -> PREFIX/share/morphe; SOURCES/build/release/morphe -> SOURCES.
 fs::path data_folder() {
-  const fs::path beside = this_module().parent_path();
-  const fs::path above = beside.parent_path(), top = above.parent_path();
-  for (const fs::path& folder : {above / "share/morphe", top / "share/morphe", top}) {
+  const fs::path above = this_module().parent_path().parent_path(), top = above.parent_path();
+  for (const fs::path& folder : {above / "share/morphe", top / "share/morphe", top})
     if (fs::is_directory(folder / "configs/pipelines")) return folder;
-  }
   return {};
 }
 

@@ -4,14 +4,13 @@
 
 namespace morphe::files {
 
-/// Finds the file that a user names: the path as named if it exists; otherwise the file of that
-/// name among those shipped with Morphe: the installed ones, below share/morphe next to the bin or
-/// lib folder of the running program or library, or the sources above its build folder. If neither
-/// exists, it returns the path whose folder exists, for use in an error message; the path as named
-/// if both or neither folder exists.
+/// Finds the file that a user names: `named` itself if it exists or is absolute, else the same path
+/// below Morphe's shipped files. These are in share/morphe next to the bin or lib folder of the
+/// running program or library, or in the sources above its build folder. If the file is in neither,
+/// returns the path whose folder exists, for an error message; `named` if both or neither do.
 std::filesystem::path resolve_data_file(const std::filesystem::path& named);
 
-/// Does the same for a given folder of installed files, "" if there is no such folder.
+/// Does the same for the folder `shipped`, "" if there is no such folder.
 std::filesystem::path resolve_data_file(const std::filesystem::path& named,
                                         const std::filesystem::path& shipped);
 

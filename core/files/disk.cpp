@@ -8,14 +8,11 @@ namespace morphe::files {
 namespace {
 
 struct RealDisk : Disk {
-  std::int64_t write(int descriptor, const void* bytes, std::size_t count,
-                     std::int64_t at) override {
-    return ::pwrite(descriptor, bytes, count, at);
+  std::int64_t write(int file, const void* bytes, std::size_t count, std::int64_t at) override {
+    return ::pwrite(file, bytes, count, at);
   }
-  int truncate(int descriptor, std::int64_t length) override {
-    return ::ftruncate(descriptor, length);
-  }
-  int sync(int descriptor) override { return ::fsync(descriptor); }
+  int truncate(int file, std::int64_t length) override { return ::ftruncate(file, length); }
+  int sync(int file) override { return ::fsync(file); }
   int rename(const char* from, const char* to) override { return std::rename(from, to); }
 };
 

@@ -4,12 +4,9 @@
 
 namespace morphe::files {
 
-/// An entry of the table that CMake generates for files embedded in the program
-/// (cmake/embed.cmake).
+/// An entry of the generated table of files embedded in the program (cmake/embed.cmake).
 struct EmbeddedFile {
-  const char* name;
-  const char* begin;
-  const char* end;
+  const char *name, *begin, *end;
 
   /// Returns the content of the file.
   std::string_view text() const { return {begin, end}; }

@@ -7,13 +7,10 @@
 
 namespace morphe::files {
 
-/// Reads `count` bytes, at most 8, from `at` on as an unsigned integer, lowest byte first. The
-/// bytes must exist.
+/// Reads `count` <= 8 of the bytes, the first at index `at`, as an integer, lowest byte first.
 inline std::uint64_t read_little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
   std::uint64_t value = 0;
-  for (std::size_t k = count; k > 0; --k) {
-    value = value << 8 | static_cast<unsigned char>(bytes[at + k - 1]);
-  }
+  for (; count > 0; --count) value = value << 8 | static_cast<unsigned char>(bytes[at + count - 1]);
   return value;
 }
 

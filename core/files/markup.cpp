@@ -7,22 +7,15 @@ namespace morphe::files {
 std::string escape_xml(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t') out += c;
-    }
+    const char* const entity = c == '&'   ? "&amp;"
+                               : c == '<' ? "&lt;"
+                               : c == '>' ? "&gt;"
+                               : c == '"' ? "&quot;"
+                                          : nullptr;
+    if (entity)
+      out += entity;
+    else if (static_cast<unsigned char>(c) >= ' ' || c == '\n' || c == '\t')
+      out += c;
   }
   return out;
 }

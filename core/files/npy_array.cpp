@@ -15,12 +15,11 @@
 namespace morphe::files {
 namespace {
 
-/// Offset of the values is a multiple of this in numpy.
-constexpr std::size_t kAlignment_bytes = 64;
+constexpr std::size_t kAlignment_bytes = 64;  ///< of the values, as in numpy
 
 /// Converts a number of half precision: 1 sign, 5 exponent, 10 fraction bits.
 double half_to_double(std::uint64_t bits) {
-  const int exponent = static_cast<int>(bits >> 10 & 31);
+  const int exponent = bits >> 10 & 31;
   const double fraction = static_cast<double>(bits & 1023);
   const double sign = (bits & 0x8000) != 0 ? -1 : 1;
   if (exponent == 0) return sign * std::ldexp(fraction, -24);
@@ -40,49 +39,27 @@ double value_of(std::uint64_t bits, char kind, std::size_t size) {
   return static_cast<double>(static_cast<std::int64_t>((bits ^ sign) - sign));
 }
 
-void append_utf8(std::uint32_t point, std::string& text) {
-  const auto more = [&](int shift) { text += static_cast<char>(0x80 | (point >> shift & 0x3F)); };
-  if (point < 0x80) {
-    text += static_cast<char>(point);
-  } else if (point < 0x800) {
-    text += static_cast<char>(0xC0 | point >> 6);
-    more(0);
-  } else if (point < 0x10000) {
-    text += static_cast<char>(0xE0 | point >> 12);
-    more(6);
-    more(0);
-  } else {
-    text += static_cast<char>(0xF0 | point >> 18);
-    more(12);
-    more(6);
-    more(0);
-  }
-}
-
-/// Returns the code points of valid UTF-8.
 std::vector<std::uint32_t> code_points(std::string_view text) {
   std::vector<std::uint32_t> points;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) == 0x80 && !points.empty()) {
+    if ((byte & 0xC0) == 0x80 && !points.empty())
       points.back() = points.back() << 6 | (byte & 0x3F);
-    } else {
+    else
       points.push_back(byte < 0x80 ? byte : byte < 0xE0 ? byte & 0x1F : byte & 0x0F);
-    }
   }
   return points;
 }
 
-/// Returns the index in the file of the value that is the k-th with the last index fastest.
-std::size_t storage_index(std::size_t k, const NpyHeader& header) {
-  if (!header.fortran_order) return k;
-  std::size_t at = 0, stride = header.count;
-  for (std::size_t d = header.shape.size(); d-- > 0;) {
+/// Returns the offset in the file of the k-th value, counted with the last index fastest.
+std::size_t offset_of(std::size_t k, const NpyHeader& header) {
+  std::size_t index = header.fortran_order ? 0 : k, stride = header.count;
+  for (std::size_t d = header.shape.size(); header.fortran_order && d-- > 0;) {
     stride /= header.shape[d];
-    at += k % header.shape[d] * stride;
+    index += k % header.shape[d] * stride;
     k /= header.shape[d];
   }
-  return at;
+  return header.data_offset + index * header.item_size;
 }
 
 struct ValueReader {
@@ -90,30 +67,28 @@ struct ValueReader {
   const NpyHeader& header;
   const NpyErrorHandler& fail;
 
-  std::uint64_t bits(std::size_t at, std::size_t size) const {
-    std::uint64_t value = read_little_endian(bytes, at, size);
+  std::uint64_t bits(std::size_t begin, std::size_t size) const {
+    std::uint64_t value = read_little_endian(bytes, begin, size);
     if (!header.big_endian) return value;
     std::uint64_t swapped = 0;
     for (std::size_t k = 0; k < size; ++k, value >>= 8) swapped = swapped << 8 | (value & 0xFF);
     return swapped;
   }
   double number(std::size_t k) const {
-    const std::size_t at = header.data_offset + storage_index(k, header) * header.item_size;
-    return value_of(bits(at, header.item_size), header.kind, header.item_size);
+    return value_of(bits(offset_of(k, header), header.item_size), header.kind, header.item_size);
   }
   std::string text(std::size_t k) const {
-    const std::size_t at = header.data_offset + storage_index(k, header) * header.item_size;
+    const std::size_t offset = offset_of(k, header);
     std::string text;
     if (header.kind == 'S') {
-      text = bytes.substr(at, header.item_size);
+      text = bytes.substr(offset, header.item_size);
       text.erase(text.find_last_not_of('\0') + 1);
       return is_utf8(text) ? text : utf8_from_latin1(text);
     }
-    for (std::size_t b = at; b < at + header.item_size; b += 4) {
-      const std::uint64_t point = bits(b, 4);
-      if (point > 0x10FFFF || (point >= 0xD800 && point < 0xE000)) {
+    for (std::size_t b = 0; b < header.item_size; b += 4) {
+      const std::uint64_t point = bits(offset + b, 4);
+      if (point > 0x10FFFF || (point >= 0xD800 && point < 0xE000))
         fail("is damaged: the text has an invalid character");
-      }
       append_utf8(static_cast<std::uint32_t>(point), text);
     }
     text.erase(text.find_last_not_of('\0') + 1);
@@ -138,13 +113,11 @@ NpyArray read_npy(std::string_view bytes, const std::string& file, const std::st
   array.shape = header.shape;
   const bool text = header.kind == 'U' || header.kind == 'S';
   array.kind = text ? NpyKind::text : header.kind == 'f' ? NpyKind::floating : NpyKind::integer;
-  for (std::size_t k = 0; k < header.count; ++k) {
-    if (text) {
+  for (std::size_t k = 0; k < header.count; ++k)
+    if (text)
       array.text.push_back(values.text(k));
-    } else {
+    else
       array.values.push_back(values.number(k));
-    }
-  }
   return array;
 }
 
@@ -160,8 +133,8 @@ std::string npy_bytes(const NpyArray& array) {
                                                             : "<f8";
   std::string header = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': {}, }}", type,
                                    shape_text(array.shape));
-  const std::size_t before = 10;  // magic, version, length
-  header.append(kAlignment_bytes - (before + header.size() + 1) % kAlignment_bytes, ' ');
+  const std::size_t prefix_bytes = 10;  // magic, version, length of the header
+  header.append(kAlignment_bytes - (prefix_bytes + header.size() + 1) % kAlignment_bytes, ' ');
   header += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
   append_little_endian(header.size(), 2, bytes);
@@ -172,11 +145,9 @@ std::string npy_bytes(const NpyArray& array) {
                              : std::bit_cast<std::uint64_t>(value),
                          8, bytes);
   }
-  for (const auto& points : texts) {
-    for (std::size_t k = 0; k < longest; ++k) {
+  for (const auto& points : texts)
+    for (std::size_t k = 0; k < longest; ++k)
       append_little_endian(k < points.size() ? points[k] : 0, 4, bytes);
-    }
-  }
   return bytes;
 }
 

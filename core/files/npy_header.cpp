@@ -26,9 +26,8 @@ struct HeaderParser {
     throw 0;  // not reached
   }
   bool take(std::string_view word) {
-    while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.front())) != 0) {
+    while (!rest.empty() && std::isspace(static_cast<unsigned char>(rest.front())) != 0)
       rest.remove_prefix(1);
-    }
     if (!rest.starts_with(word)) return false;
     rest.remove_prefix(word.size());
     return true;
@@ -69,13 +68,10 @@ struct HeaderParser {
 };
 
 void read_type(std::string_view type, NpyHeader& header, const NpyErrorHandler& fail) {
-  const std::string said(type);
-  if (type.size() >= 2 && type[1] == 'O') {
+  if (type.size() >= 2 && type[1] == 'O')
     fail("contains Python objects; save it again as plain numbers or text (no dtype=object)");
-  }
-  if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) {
-    fail(fmt::format("has the unsupported type '{}'", said));
-  }
+  if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos)
+    fail(fmt::format("has the unsupported type '{}'", type));
   std::size_t size = 0;
   const char* const end = type.data() + type.size();
   const auto [stop, error] = std::from_chars(type.data() + 2, end, size);
@@ -87,7 +83,7 @@ void read_type(std::string_view type, NpyHeader& header, const NpyErrorHandler& 
                      ((kind == 'U' || kind == 'S') && size <= kMaxValueCount);
   if (!sized || !known) {
     fail(fmt::format(
-        "has the unsupported type '{}'; use integers, floats of 2, 4 or 8 bytes, or text", said));
+        "has the unsupported type '{}'; use integers, floats of 2, 4 or 8 bytes, or text", type));
   }
   header.kind = kind;
   header.item_size = kind == 'U' ? 4 * size : size;
@@ -148,9 +144,9 @@ NpyHeader read_npy_header(std::string_view bytes, const NpyErrorHandler& fail) {
   if (!type || !has_order || !has_shape) literal.fail_malformed();
   read_type(*type, header, fail);
   header.count = element_count(header.shape, fail);
-  const std::size_t held = bytes.size() - header.data_offset;
-  if (header.item_size > 0 && header.count > held / header.item_size) {
-    fail(fmt::format("ends too early: {} bytes of data for {} values of {} bytes each", held,
+  const std::size_t data_bytes = bytes.size() - header.data_offset;
+  if (header.item_size > 0 && header.count > data_bytes / header.item_size) {
+    fail(fmt::format("ends too early: {} bytes of data for {} values of {} bytes each", data_bytes,
                      header.count, header.item_size));
   }
   return header;

@@ -20,9 +20,7 @@ constexpr std::uintmax_t kMaxFile_bytes = std::uintmax_t{1} << 30;
 std::string bytes_of(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (!error && size > kMaxFile_bytes) {
-    throw InputError(fmt::format("{}: is larger than 1 GiB", file.string()));
-  }
+  if (!error && size > kMaxFile_bytes) throw InputError(file.string() + ": is larger than 1 GiB");
   std::ifstream stream(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (error || !stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
@@ -53,9 +51,8 @@ NpzFile read_npz(const std::filesystem::path& file) {
 
 std::vector<std::string> npz_keys(const std::filesystem::path& file) {
   std::vector<std::string> keys = zip_names(bytes_of(file), file.string());
-  for (std::string& key : keys) {
+  for (std::string& key : keys)
     if (key.ends_with(kNpyExtension)) key.resize(key.size() - kNpyExtension.size());
-  }
   return keys;
 }
 
@@ -68,9 +65,8 @@ bool is_npz(std::string_view head) {
 
 void write_npz(const std::filesystem::path& file, const std::vector<NpyArray>& arrays) {
   std::vector<ZipMember> members;
-  for (const NpyArray& array : arrays) {
+  for (const NpyArray& array : arrays)
     members.push_back({array.name + std::string(kNpyExtension), npy_bytes(array)});
-  }
   write_atomically(file, zip(members, file.string()));
 }
 

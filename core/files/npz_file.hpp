@@ -8,8 +8,7 @@
 
 namespace morphe::files {
 
-/// The type of a numpy array's elements: integers (and booleans, 0 or 1), floating-point numbers,
-/// text.
+/// The type of a numpy array's elements; booleans are the integers 0 and 1.
 enum class NpyKind { integer, floating, text };
 
 /// A numpy array, with the last index fastest. Shape {} is a scalar.
@@ -35,25 +34,21 @@ struct NpzFile {
   [[noreturn]] void fail(std::string_view key, std::string_view what) const;
 };
 
-/// Reads a .npz file. Throws InputError "FILE: KEY: message" for incomplete files, and for arrays
-/// of Python objects, structures, complex numbers and dates. No content of the file is executed. At
-/// most 1 GiB is read.
+/// Reads a .npz file of at most 1 GiB and never executes its content. Throws InputError "FILE: KEY:
+/// message" if it is damaged, and for arrays of objects, structures, complex numbers and dates.
 NpzFile read_npz(const std::filesystem::path& file);
 
-/// Returns the keys of a .npz file from its directory alone, whatever the arrays contain. Throws
-/// InputError if the directory is incomplete.
+/// Returns the keys in a .npz file's directory; throws InputError if the directory is damaged.
 std::vector<std::string> npz_keys(const std::filesystem::path& file);
 
-/// Returns true if the beginning of a file is that of a .npz, judging by the name of its first
-/// member.
+/// Returns true if the file that begins with `head` is a zip archive whose first member is a .npy.
 bool is_npz(std::string_view head);
 
 /// Writes the arrays uncompressed as <f8, <i8 and <U, in order; equal arrays give equal bytes. The
 /// file is written atomically. Throws InputError if it cannot be written.
 void write_npz(const std::filesystem::path& file, const std::vector<NpyArray>& arrays);
 
-/// Parses a .npy file in memory; `file` and `key` begin the error messages, and `key` becomes its
-/// name.
+/// Parses a .npy file in memory. `key` is the name of the array; `file` and `key` begin the errors.
 NpyArray read_npy(std::string_view bytes, const std::string& file, const std::string& key);
 /// Returns an array as the content of a .npy file.
 std::string npy_bytes(const NpyArray& array);

@@ -45,11 +45,10 @@ std::string make_printable(std::string_view text, std::string_view allowed) {
     }
     const std::uint32_t code = code_of(letter);
     if (is_control(code) &&
-        (letter.size() > 1 || allowed.find(letter[0]) == std::string_view::npos)) {
+        (letter.size() > 1 || allowed.find(letter[0]) == std::string_view::npos))
       shown += fmt::format("\\u{:04x}", code);
-    } else {
+    else
       shown += letter;
-    }
     text.remove_prefix(letter.size());
   }
   return shown;
@@ -58,12 +57,12 @@ std::string make_printable(std::string_view text, std::string_view allowed) {
 bool is_printable(std::string_view text) { return make_printable(text) == text; }
 
 std::size_t incomplete_utf8_bytes(std::string_view text) {
-  const std::size_t most = std::min<std::size_t>(text.size(), 3);
-  for (std::size_t back = 1; back <= most; ++back) {
-    const char c = text[text.size() - back];
+  const std::size_t max_tail_bytes = std::min<std::size_t>(text.size(), 3);
+  for (std::size_t tail_bytes = 1; tail_bytes <= max_tail_bytes; ++tail_bytes) {
+    const char c = text[text.size() - tail_bytes];
     if (static_cast<unsigned char>(c) < 0x80) return 0;
     const std::size_t bytes = utf8_length(c);
-    if (bytes > 1) return bytes > back ? back : 0;
+    if (bytes > 1) return bytes > tail_bytes ? tail_bytes : 0;
   }
   return 0;
 }

@@ -25,10 +25,6 @@ struct Limits {
   std::uint64_t seconds, bytes;
 };
 
-Limits limits_for(std::uint64_t file_bytes) {
-  return {10 + (file_bytes >> 20), (std::uint64_t{1} << 30) + 32 * file_bytes};
-}
-
 int exit_code(const std::function<void()>& read) {
   try {
     read();
@@ -51,14 +47,10 @@ int exit_code(const std::function<void()>& read) {
 
 std::string exit_error(int status, const Limits& limits) {
   if (WIFEXITED(status)) {
-    switch (WEXITSTATUS(status)) {
-      case kExitDone:
-        return "";
-      case kExitOutOfMemory:
-        return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
-      default:
-        return "the library that reads it fails";
-    }
+    const int code = WEXITSTATUS(status);
+    if (code == kExitOutOfMemory)
+      return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
+    return code == kExitDone ? "" : "the library that reads it fails";
   }
   const int signal = WTERMSIG(status);
   if (signal == SIGXCPU || signal == SIGKILL)
@@ -70,14 +62,14 @@ std::string exit_error(int status, const Limits& limits) {
 
 std::string child_read_error(const std::filesystem::path& file, const std::function<void()>& read) {
   std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  const Limits limits = limits_for(error ? 0 : bytes);
+  std::uintmax_t bytes = std::filesystem::file_size(file, error);
+  if (error) bytes = 0;
+  const Limits limits{10 + (bytes >> 20), (std::uint64_t{1} << 30) + 32 * bytes};
   const pid_t child = ::fork();
   if (child < 0) return fmt::format("cannot start a process to read it: {}", std::strerror(errno));
   if (child == 0) read_and_exit(read, limits);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   return exit_error(status, limits);
 }
 

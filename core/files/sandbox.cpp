@@ -61,8 +61,7 @@ sock_filter skip_unless_equal(unsigned value) {
   return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
 }
 
-/// Returns a filter that allows this machine's system calls for reading, and openat() of a file for
-/// reading; all others fail.
+/// Returns a filter that allows only system calls for reading, and openat() of a file for reading.
 std::vector<sock_filter> read_only_filter() {
   constexpr unsigned kDenyVerdict = SECCOMP_RET_ERRNO | EPERM;
   // Little-endian: the lower half of the third argument.

@@ -33,6 +33,12 @@ class Sha256 {
   std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context_;
 };
 
+Digest digest_of(std::string_view bytes) {
+  Sha256 hash;
+  hash.add(bytes.data(), bytes.size());
+  return hash.finish();
+}
+
 std::string hexadecimal(const Digest& digest) {
   std::string text;
   for (const unsigned char byte : digest) text += fmt::format("{:02x}", byte);
@@ -41,16 +47,10 @@ std::string hexadecimal(const Digest& digest) {
 
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-  Sha256 hash;
-  hash.add(bytes.data(), bytes.size());
-  return hexadecimal(hash.finish());
-}
+std::string sha256(std::string_view bytes) { return hexadecimal(digest_of(bytes)); }
 
 std::string sha256_bytes(std::string_view bytes) {
-  Sha256 hash;
-  hash.add(bytes.data(), bytes.size());
-  const Digest digest = hash.finish();
+  const Digest digest = digest_of(bytes);
   return {digest.begin(), digest.end()};
 }
 

@@ -1,12 +1,10 @@
 #include "core/files/text_encoding.hpp"
 
-#include <cstdint>
-
 namespace morphe::files {
 
 bool is_utf8(std::string_view text) {
-  // By number of continuation bytes.
-  static constexpr std::uint32_t kMinCodePoint[] = {0, 0x80, 0x800, 0x10000};
+  // Smallest code point by number of continuation bytes.
+  static constexpr std::uint32_t kMinCode[] = {0, 0x80, 0x800, 0x10000};
   for (std::size_t i = 0; i < text.size();) {
     const auto first = static_cast<unsigned char>(text[i++]);
     if (first < 0x80) continue;
@@ -19,23 +17,21 @@ bool is_utf8(std::string_view text) {
       if ((next & 0xc0) != 0x80) return false;
       code = code << 6 | (next & 0x3f);
     }
-    if (code < kMinCodePoint[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000))
-      return false;
+    if (code < kMinCode[more] || code > 0x10ffff || (code >= 0xd800 && code < 0xe000)) return false;
   }
   return true;
 }
 
+void append_utf8(std::uint32_t point, std::string& text) {
+  constexpr std::uint32_t kLeadingBits[] = {0, 0xc0, 0xe0, 0xf0};
+  const int trailing = point < 0x80 ? 0 : point < 0x800 ? 1 : point < 0x10000 ? 2 : 3;
+  text += static_cast<char>(kLeadingBits[trailing] | point >> 6 * trailing);
+  for (int k = trailing - 1; k >= 0; --k) text += static_cast<char>(0x80 | (point >> 6 * k & 0x3f));
+}
+
 std::string utf8_from_latin1(std::string_view text) {
   std::string utf8;
-  for (const char c : text) {
-    const auto code = static_cast<unsigned char>(c);
-    if (code < 0x80) {
-      utf8 += c;
-    } else {
-      utf8 += static_cast<char>(0xc0 | code >> 6);
-      utf8 += static_cast<char>(0x80 | (code & 0x3f));
-    }
-  }
+  for (const char c : text) append_utf8(static_cast<unsigned char>(c), utf8);
   return utf8;
 }
 

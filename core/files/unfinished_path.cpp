@@ -36,8 +36,7 @@ UnfinishedPath::~UnfinishedPath() {
 void remove_unfinished_paths() {
   const std::lock_guard lock(unfinished_paths().mutex);
   std::error_code ignored;
-  for (const std::filesystem::path& path : unfinished_paths().paths)
-    std::filesystem::remove_all(path, ignored);
+  for (const auto& path : unfinished_paths().paths) std::filesystem::remove_all(path, ignored);
 }
 
 }  // namespace morphe::files

@@ -4,9 +4,9 @@
 
 namespace morphe::files {
 
-/// A file or folder that must not outlive the process unfinished. During the lifetime of this
-/// object, a signal that ends the process removes it (remove_unfinished_paths()). The list of these
-/// objects is global, because signals concern the whole process.
+/// A file or folder that must not outlive the process unfinished: while this object exists, a
+/// signal that ends the process removes the file or folder (remove_unfinished_paths()). The list of
+/// these objects is global, because signals concern the whole process.
 class UnfinishedPath {
  public:
   explicit UnfinishedPath(std::filesystem::path path);
@@ -18,8 +18,7 @@ class UnfinishedPath {
   std::filesystem::path path_;
 };
 
-/// Removes all unfinished files and folders before the process ends. It may be called from any
-/// thread, but not from a signal handler.
+/// Removes all unfinished files and folders; for any thread, but not for a signal handler.
 void remove_unfinished_paths();
 
 }  // namespace morphe::files

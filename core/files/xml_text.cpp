@@ -6,6 +6,7 @@
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "core/files/printable.hpp"
 #include "core/motion/input_error.hpp"
@@ -14,22 +15,16 @@ namespace morphe::files {
 namespace {
 
 std::string error_text(const tinyxml2::XMLDocument& document) {
-  switch (document.ErrorID()) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "the file is empty";
-    case tinyxml2::XML_ERROR_PARSING:
-      return "an element is not closed";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "an element is closed by the end tag of another";
-    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-      return "an element cannot be read";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "an attribute cannot be read";
-    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
-      return "elements are nested too deeply";
-    default:
-      return document.ErrorName();
-  }
+  constexpr std::pair<tinyxml2::XMLError, const char*> kTexts[] = {
+      {tinyxml2::XML_ERROR_EMPTY_DOCUMENT, "the file is empty"},
+      {tinyxml2::XML_ERROR_PARSING, "an element is not closed"},
+      {tinyxml2::XML_ERROR_MISMATCHED_ELEMENT, "an element is closed by the end tag of another"},
+      {tinyxml2::XML_ERROR_PARSING_ELEMENT, "an element cannot be read"},
+      {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute cannot be read"},
+      {tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED, "elements are nested too deeply"}};
+  for (const auto& [error, text] : kTexts)
+    if (error == document.ErrorID()) return text;
+  return document.ErrorName();
 }
 
 }  // namespace
@@ -38,9 +33,8 @@ XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(pat
   std::ifstream stream(path, std::ios::binary);
   std::stringstream text;
   text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(path)) {
+  if (!stream || std::filesystem::is_directory(path))
     throw InputError(fmt::format("{}: cannot be read", path.string()));
-  }
   document.Parse(text.str().c_str());
   if (document.Error()) {
     throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
@@ -68,9 +62,8 @@ std::string XmlText::attribute(const XmlElement& element, const char* name) cons
 std::vector<const XmlElement*> children(const XmlElement& parent, const char* tag) {
   std::vector<const XmlElement*> found;
   for (const XmlElement* child = parent.FirstChildElement(tag); child;
-       child = child->NextSiblingElement(tag)) {
+       child = child->NextSiblingElement(tag))
     found.push_back(child);
-  }
   return found;
 }
 

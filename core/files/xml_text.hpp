@@ -24,8 +24,7 @@ struct XmlText {
   /// Throws InputError with the line of an element.
   [[noreturn]] void fail(const XmlElement& element, const std::string& key,
                          const std::string& message) const;
-  /// Returns an attribute of the element; throws InputError with the element's line if it is
-  /// missing or empty.
+  /// Returns an attribute; throws InputError with the element's line if it is missing or empty.
   std::string attribute(const XmlElement& element, const char* name) const;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,8 +8,7 @@ namespace morphe::files {
 
 /// An uncompressed member of a zip archive.
 struct ZipMember {
-  std::string name;
-  std::string bytes;
+  std::string name, bytes;
 };
 
 /// Unpacks all members of an archive in memory, in the order of its directory. Members may be
@@ -20,13 +18,11 @@ struct ZipMember {
 /// occurs twice, and members of more than 1 GiB in total.
 std::vector<ZipMember> unzip(std::string_view archive, const std::string& file);
 
-/// Returns the names of the members of an archive from its directory alone. Throws InputError like
-/// unzip() for errors of the directory.
+/// Returns the names in an archive's directory; throws InputError if the directory is damaged.
 std::vector<std::string> zip_names(std::string_view archive, const std::string& file);
 
 /// Creates an archive of uncompressed members, all dated the first of January 1980, so that equal
-/// members give equal bytes. Names are UTF-8. Throws InputError for more than 65535 members or 4
-/// GiB.
+/// members give equal bytes. Names are UTF-8. Throws InputError from 65535 members or 3 GiB on.
 std::string zip(const std::vector<ZipMember>& members, const std::string& file);
 
 }  // namespace morphe::files

@@ -15,8 +15,8 @@ constexpr Measure kMen[] = {
 }  // namespace
 
 Anthropometry anthropometry(Sex sex, const std::array<double, 5>& deviates) {
-  const Measure* const of = sex == Sex::female ? kWomen : kMen;
-  const auto measure = [&](std::size_t k) { return of[k].mean + of[k].deviation * deviates[k]; };
+  const Measure* const table = sex == Sex::female ? kWomen : kMen;
+  const auto measure = [&](int k) { return table[k].mean + table[k].deviation * deviates[k]; };
   return {measure(0), {measure(1), measure(2)}, {measure(3), measure(4)}};
 }
 

@@ -12,13 +12,12 @@ enum class Sex { female, male };
 /// The body dimensions of a person.
 struct Anthropometry {
   double stature_m = 0;
-  ArmLengths arm;  ///< between joint centres: acromion-radiale and radiale-stylion lengths
+  ArmLengths arm;  ///< acromion to radiale and radiale to stylion, taken as joint centres
   HandSize hand;
 };
 
-/// Returns body dimensions from ANSUR II (4082 men, 1986 women): for each measure the mean plus its
-/// standard deviation times the given deviate. Deviates: stature, upper arm, forearm, hand length,
-/// hand breadth.
+/// Returns body dimensions from ANSUR II (4082 men, 1986 women): mean + deviate * standard
+/// deviation. The deviates are those of stature, upper arm, forearm, hand length and hand breadth.
 Anthropometry anthropometry(Sex sex, const std::array<double, 5>& deviates);
 
 }  // namespace morphe::human

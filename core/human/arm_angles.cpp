@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Matrix3d;
 constexpr double kPi = std::numbers::pi;
-/// Sine of an angle below which a direction has no defined heading.
+/// Sine of the angle to an axis below which a direction has no defined angle about the axis.
 constexpr double kSingularSine = 1e-9;
 
 Matrix3d about_x(double angle) {
@@ -31,32 +31,31 @@ Matrix3d about_z(double angle) {
   return r;
 }
 
-/// Returns the hand's axes at zero in the forearm's frame.
-Matrix3d turned_to_hand(const Matrix3d& world_from_forearm) {
-  Matrix3d hand = world_from_forearm;
+/// Returns R diag(-1, 1, -1): a forearm's axes become those of a hand at zero, or the reverse.
+Matrix3d turned_to_hand(const Matrix3d& rotation) {
+  Matrix3d hand = rotation;
   hand.col(0) *= -1;
   hand.col(2) *= -1;
   return hand;
 }
 
-double clamp_to_limits(std::size_t k, double angle) {
+double clamp_to_limits(int k, double angle) {
   return std::clamp(angle, human_arm_limits().lower[k], human_arm_limits().upper[k]);
 }
 
-/// Returns the equivalent of `angle` nearest to `middle`.
+/// Returns the angle nearest to `middle` that differs from `angle` by whole turns.
 double wrap_near(double middle, double angle) {
   return middle + std::remainder(angle - middle, 2 * kPi);
 }
 
-double middle_of(std::size_t k) {
-  return (human_arm_limits().lower[k] + human_arm_limits().upper[k]) / 2;
-}
+double middle_of(int k) { return (human_arm_limits().lower[k] + human_arm_limits().upper[k]) / 2; }
 
-double wrap_and_clamp(std::size_t k, double angle) {
+double wrap_and_clamp(int k, double angle) {
   return clamp_to_limits(k, wrap_near(middle_of(k), angle));
 }
 
-/// Computes the other angles, given the direction of the upper arm; `flexion` is free at the pole.
+/// Computes all angles and errors, given flexion and abduction of the upper arm. At the pole, where
+/// the upper arm is along X, `flexion` is not used.
 ArmFit fit_from_shoulder(const ArmPose& pose, const ArmLengths& lengths, double flexion,
                          double abduction, bool at_pole) {
   ArmFit fit;
@@ -67,9 +66,9 @@ ArmFit fit_from_shoulder(const ArmPose& pose, const ArmLengths& lengths, double 
   Vec3 elbow = pose.shoulder - lengths.upper_arm * upper_arm.col(2);
   Vec3 forearm = (upper_arm.transpose() * (pose.wrist - elbow)).normalized();
   if (at_pole) {  // Rx(f) Ry(-90 deg) Rz(i) depends only on f - i
-    const double lead =
+    const double flexion_less_rotation =
         wrap_near(middle_of(0) - middle_of(2), std::atan2(forearm.x(), forearm.y()));
-    q0 = clamp_to_limits(0, lead);
+    q0 = clamp_to_limits(0, flexion_less_rotation);
     upper_arm = about_x(q0) * about_y(-q1);
     forearm = (upper_arm.transpose() * (pose.wrist - elbow)).normalized();
   }
@@ -78,27 +77,27 @@ ArmFit fit_from_shoulder(const ArmPose& pose, const ArmLengths& lengths, double 
     q2 = wrap_and_clamp(2, std::atan2(-forearm.x(), forearm.y()));
   } else {
     // Rotation and pronation have the same axis.
-    const double turned =
+    const double rotation_and_pronation =
         wrap_near(middle_of(2) + middle_of(4), std::atan2(hand(1, 0), hand(0, 0)));
-    q2 = clamp_to_limits(2, turned - clamp_to_limits(4, turned));
+    q2 = clamp_to_limits(2, rotation_and_pronation - clamp_to_limits(4, rotation_and_pronation));
   }
   q3 = wrap_and_clamp(
       3, std::atan2(std::cos(q2) * forearm.y() - std::sin(q2) * forearm.x(), -forearm.z()));
   // The remaining rotation is Rz(pronation) Ry(flexion) Rx(deviation).
-  Matrix3d left = (about_z(q2) * about_x(q3)).transpose() * hand;
-  q4 = wrap_and_clamp(4, std::atan2(left(1, 0), left(0, 0)));
-  left = about_z(q4).transpose() * left;
-  q5 = wrap_and_clamp(5, std::atan2(-left(2, 0), left(0, 0)));
-  left = about_y(q5).transpose() * left;
-  q6 = wrap_and_clamp(6, std::atan2(left(2, 1) - left(1, 2), left(1, 1) + left(2, 2)));
+  Matrix3d remaining = (about_z(q2) * about_x(q3)).transpose() * hand;
+  q4 = wrap_and_clamp(4, std::atan2(remaining(1, 0), remaining(0, 0)));
+  remaining = about_z(q4).transpose() * remaining;
+  q5 = wrap_and_clamp(5, std::atan2(-remaining(2, 0), remaining(0, 0)));
+  remaining = about_y(q5).transpose() * remaining;
+  q6 = wrap_and_clamp(
+      6, std::atan2(remaining(2, 1) - remaining(1, 2), remaining(1, 1) + remaining(2, 2)));
 
-  const ArmPose reached = arm_pose(pose.shoulder, lengths, fit.angles);
-  fit.position_error_m = std::sqrt(std::max((reached.elbow - pose.elbow).squaredNorm(),
-                                            (reached.wrist - pose.wrist).squaredNorm()));
-  // The angle is computed from the chord, which is exact near zero, unlike acos of the inner
-  // product.
-  const Vec3 apart = (reached.world_from_hand.conjugate() * pose.world_from_hand).vec();
-  fit.rotation_error_rad = 2 * std::asin(std::min(1.0, apart.norm()));
+  const ArmPose fitted = arm_pose(pose.shoulder, lengths, fit.angles);
+  fit.position_error_m = std::sqrt(std::max((fitted.elbow - pose.elbow).squaredNorm(),
+                                            (fitted.wrist - pose.wrist).squaredNorm()));
+  // Small angles are exact, unlike those from acos of the quaternions' inner product.
+  const Vec3 half_chord = (fitted.world_from_hand.conjugate() * pose.world_from_hand).vec();
+  fit.rotation_error_rad = 2 * std::asin(std::min(1.0, half_chord.norm()));
   return fit;
 }
 
@@ -107,8 +106,8 @@ bool is_exact(const ArmFit& fit) {
 }
 
 double pose_error_m(const ArmFit& fit) {
-  constexpr double kHandLever_m = 0.1;  // lever arm of a hand
-  return fit.position_error_m + kHandLever_m * fit.rotation_error_rad;
+  constexpr double kHandLength_m = 0.1;  // distance at which a rotation error counts
+  return fit.position_error_m + kHandLength_m * fit.rotation_error_rad;
 }
 
 }  // namespace
@@ -138,9 +137,9 @@ ArmFit fit_arm_angles(const ArmPose& pose) {
   const ArmLengths lengths = {(pose.elbow - pose.shoulder).norm(),
                               (pose.wrist - pose.elbow).norm()};
   if (!(lengths.upper_arm > 0 && lengths.forearm > 0 && is_known(pose.world_from_hand))) {
-    ArmFit unseen{{}, kUnknown, kUnknown};
-    unseen.angles.fill(kUnknown);
-    return unseen;
+    ArmFit unknown{{}, kUnknown, kUnknown};
+    unknown.angles.fill(kUnknown);
+    return unknown;
   }
   const Vec3 upper_arm = (pose.elbow - pose.shoulder) / lengths.upper_arm;
   const double down = std::hypot(upper_arm.y(), upper_arm.z());
@@ -149,7 +148,7 @@ ArmFit fit_arm_angles(const ArmPose& pose) {
   const double abduction = std::atan2(upper_arm.x(), down);
   const ArmFit below = fit_from_shoulder(pose, lengths, flexion, abduction, at_pole);
   if (is_exact(below)) return below;
-  // For abduction beyond the horizontal, the same direction has a second solution.
+  // With abduction beyond the horizontal, the same direction of the upper arm has other angles.
   const ArmFit above = fit_from_shoulder(pose, lengths, flexion + kPi, kPi - abduction, at_pole);
   return pose_error_m(above) < pose_error_m(below) ? above : below;
 }

@@ -13,7 +13,7 @@ struct ArmPose {
   Quat world_from_hand = Quat::Identity();  ///< rotation of HumanMotion's hand frame
 };
 
-/// The angles kArmAngleNames [rad] of a right arm; the trunk is upright and faces Y.
+/// The angles kArmAngleNames [rad] of a right arm of a person who is upright and faces Y.
 using ArmAngles = std::array<double, kArmAngleCount>;
 
 /// Computes the pose of an arm with the angles q and these lengths:
@@ -26,8 +26,8 @@ using ArmAngles = std::array<double, kArmAngleCount>;
 /// towards the thumb.
 ArmPose arm_pose(const Vec3& shoulder, const ArmLengths& lengths, const ArmAngles& angles);
 
-/// Human joint limits [rad] of the Anthropomorphism toolbox (Barter et al. 1957). Its q3 and q5
-/// have the opposite sign: they count external rotation and supination.
+/// Human joint limits [rad] of the Anthropomorphism toolbox (Barter et al. 1957). The signs of
+/// rotation and pronation are changed: the toolbox counts external rotation and supination.
 struct ArmLimits {
   ArmAngles lower, upper;
 };
@@ -37,17 +37,16 @@ const ArmLimits& human_arm_limits();
 /// The angles within human limits that fit a pose, and the remaining errors.
 struct ArmFit {
   ArmAngles angles{};
-  /// Position error of elbow or wrist (the larger one), with the given lengths.
-  double position_error_m = 0;
-  double rotation_error_rad = 0;  ///< error of the hand's orientation
+  double position_error_m = 0;    ///< the larger one of elbow and wrist
+  double rotation_error_rad = 0;  ///< of the hand's orientation
 };
-/// Fits the angles in closed form; the residual is zero up to rounding for every arm_pose() within
-/// the limits. If a pose is outside the limits, each angle in turn, from the shoulder on, is
-/// clamped to its limits, and the following angles compensate for it as far as their limits allow.
-/// Angles that are not determined (flexion and rotation of an upper arm along X; rotation and
-/// pronation of a straight elbow) are distributed such that the limits hold and the rotation is
-/// nearest to zero (both cannot hold for an arm stretched along X, which has flexion 0). All values
-/// are NaN if the pose contains a NaN or a segment of length zero.
+/// Fits the angles in closed form. The errors are zero up to rounding for every arm_pose() within
+/// the limits. For other poses, each angle in turn, from the shoulder on, is clamped to its limits,
+/// and the following angles compensate for it as far as theirs allow. Two pairs of angles can be
+/// determined only together: flexion and rotation of an upper arm along X, rotation and pronation
+/// of a straight elbow. They are distributed within their limits such that the rotation is nearest
+/// to zero. An arm stretched along X gets flexion 0, although the other limits may then leave an
+/// error. All values are NaN if the pose contains a NaN or a segment of length zero.
 ArmFit fit_arm_angles(const ArmPose& pose);
 
 }  // namespace morphe::human

@@ -24,10 +24,9 @@ Vec3 mean_point(const std::vector<Vec3>& points) {
   return sum / count;  // 0 / 0 = NaN if there are no points
 }
 
-/// Returns a digitised point, or NaN if it is not among the markers.
 Vec3 digitised_point(const std::optional<MarkerStream>& markers, const std::string& name) {
   if (!markers) return unknown_point();
-  const auto found = std::find(markers->names.begin(), markers->names.end(), name);
+  const auto found = std::ranges::find(markers->names, name);
   if (found == markers->names.end()) return unknown_point();
   return mean_point(column_of(markers->position, found - markers->names.begin()));
 }
@@ -61,26 +60,22 @@ SensorOffsets sensor_offsets(const Streams& calibration, std::vector<std::string
   SensorOffsets offsets;
   if (!calibration.sensors) return offsets;
   const BodyStream& sensors = *calibration.sensors;
-  for (std::size_t k = 0; k < sensors.names.size(); ++k) {
+  for (int k = 0; k < std::ssize(sensors.names); ++k) {
     const std::string& name = sensors.names[k];
-    const auto refuse = [&](const std::string& why) {
-      problems.push_back("calibration pose: " + why + "; sensor " + name + " gets no offset");
-    };
     const Vec3 position = mean_point(column_of(sensors.position, k));
     const Quat orientation = mean_rotation(column_of(sensors.orientation, k));
     const Vec3 joint = digitised_point(calibration.markers, name);
+    const Quat segment = name == "wrist" ? world_from_hand(calibration.markers) : orientation;
+    std::string reason;
     if (!is_known(position) || !is_known(orientation)) {
-      refuse("position and orientation were never both recorded");
-      continue;
+      reason = "position and orientation were never both recorded";
+    } else if (!is_known(joint)) {
+      reason = "no point " + name + " was digitised";
+    } else if (!is_known(segment)) {
+      reason = "the hand's axes cannot be computed from middle_mcp, index_mcp and little_mcp";
     }
-    if (!is_known(joint)) {
-      refuse("no point " + name + " was digitised");
-      continue;
-    }
-    Quat segment = orientation;
-    if (name == "wrist") segment = world_from_hand(calibration.markers);
-    if (!is_known(segment)) {
-      refuse("the hand's axes cannot be computed from middle_mcp, index_mcp and little_mcp");
+    if (!reason.empty()) {
+      problems.push_back("calibration pose: " + reason + "; sensor " + name + " gets no offset");
       continue;
     }
     offsets.sensors.push_back(name);

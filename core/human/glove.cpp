@@ -3,18 +3,16 @@
 namespace morphe::human {
 namespace {
 
-/// A sensor and a joint (kHandAngleNames) that measure the same angle; relative sensors are not
-/// included.
-struct SameAngle {
-  std::size_t sensor, joint;
+/// A sensor and the joint (index in kHandAngleNames) whose angle it measures.
+struct MeasuredJoint {
+  int sensor, joint;
 };
-constexpr SameAngle kAbsoluteSensors[] = {{0, 0},   {3, 1},   {1, 2},   {2, 3},  {4, 5},   {5, 6},
-                                          {6, 7},   {7, 9},   {8, 10},  {9, 11}, {11, 13}, {12, 14},
-                                          {13, 15}, {15, 17}, {16, 18}, {17, 19}};
-constexpr std::size_t kMiddleIndexAb = 10, kRingMiddleAb = 14, kPinkieRingAb = 18,
-                      kPalmArchSensor = 19, kWristPitch = 20, kWristYaw = 21;
-/// Indices of abduction joints.
-constexpr std::size_t kIndexAb = 4, kMiddleAb = 8, kRingAb = 12, kLittleAb = 16;
+constexpr MeasuredJoint kAbsoluteSensors[] = {
+    {0, 0},  {3, 1},  {1, 2},   {2, 3},   {4, 5},   {5, 6},   {6, 7},   {7, 9},
+    {8, 10}, {9, 11}, {11, 13}, {12, 14}, {13, 15}, {15, 17}, {16, 18}, {17, 19}};
+constexpr int kMiddleIndexAb = 10, kRingMiddleAb = 14, kPinkieRingAb = 18, kPalmArchSensor = 19,
+              kWristPitch = 20, kWristYaw = 21;
+constexpr int kIndexAb = 4, kMiddleAb = 8, kRingAb = 12, kLittleAb = 16;
 
 }  // namespace
 

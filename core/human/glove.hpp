@@ -19,17 +19,16 @@ inline constexpr std::size_t kGloveSensorCount = std::size(kGloveSensors);
 /// The angles of the glove's sensors [rad].
 using GloveAngles = std::array<double, kGloveSensorCount>;
 
-/// The hand and wrist angles decoded from a glove. Its abduction sensors are relative between
-/// neighbours and the middle finger's own abduction is not measured: it is taken as zero, and those
-/// of index, ring and little are relative to it.
+/// The hand and wrist angles decoded from a glove. It measures abduction only between neighbouring
+/// fingers; so that of the middle finger is taken as zero.
 struct GloveReading {
   HandAngles hand;
   double wrist_flexion = 0, wrist_radial_deviation = 0;  ///< [rad]
 };
 /// Converts the angles of a glove's sensors to those of the hand.
 GloveReading decode_glove(const GloveAngles& glove);
-/// Computes the inverse: the angles that an ideal glove measures on a hand whose middle finger is
-/// not abducted.
+/// Computes the angles that an ideal glove measures. It is the inverse of decode_glove() if the
+/// middle finger is not abducted.
 GloveAngles encode_glove(const GloveReading& reading);
 
 }  // namespace morphe::human

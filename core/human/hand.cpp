@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
-#include <numbers>
 #include <string>
 
 #include "core/robot/forward_kinematics.hpp"
@@ -12,34 +10,34 @@
 namespace morphe::human {
 namespace {
 
-/// The joint after kHandAngleNames.
-constexpr int kPalmArch = static_cast<int>(kHandAngleCount);
-
-/// Share of palm_arch that lowers each finger's metacarpal.
+constexpr int kPalmArch = kHandAngleCount;  ///< the joint after kHandAngleNames
+/// Rotation of each finger's metacarpal relative to palm_arch.
 constexpr std::array<double, kFingerCount> kArchShare = {0, 0, 0, 20.0 / 28, 1};
 
 Pose translation(double x, double y, double z) { return Pose(Eigen::Translation3d(x, y, z)); }
 
+/// Adds frames, joints and tips to a hand.
 struct Builder {
   RobotModel hand;
 
+  /// Adds a frame and returns its index.
   int frame(std::string name, int parent, const Pose& transform, const Vec3& axis, int joint,
             double ratio = 1) {
     hand.frames.push_back({std::move(name), parent, transform, axis, joint, ratio, 0});
-    return static_cast<int>(hand.frames.size()) - 1;
+    return static_cast<int>(std::ssize(hand.frames)) - 1;
   }
-  /// Adds the next joint of kHandAngleNames.
+  /// Adds the next joint of kHandAngleNames and returns the index of its frame.
   int joint(int parent, const Pose& transform, const Vec3& axis, double lower, double upper) {
-    const auto k = static_cast<Eigen::Index>(hand.joint_names.size());
+    const int k = static_cast<int>(std::ssize(hand.joint_names));
     hand.joint_names.emplace_back(kHandAngleNames[k]);
     hand.lower[k] = lower;
     hand.upper[k] = upper;
-    return frame(kHandAngleNames[k], parent, transform, axis, static_cast<int>(k));
+    return frame(kHandAngleNames[k], parent, transform, axis, k);
   }
-  void tip(std::size_t finger, int middle_joint, int last, double distal) {
+  void tip(int finger, int middle_frame, int last_frame, double distal_length) {
     const std::string name = kFingerNames[finger];
-    hand.tips.push_back({name + "_tip", last, translation(0, 0, distal), static_cast<int>(finger)});
-    hand.joint_centres.push_back({middle_joint, name});
+    hand.tips.push_back({name + "_tip", last_frame, translation(0, 0, distal_length), finger});
+    hand.joint_centres.push_back({middle_frame, name});
   }
 };
 
@@ -56,14 +54,13 @@ RobotModel human_hand(const HandSize& size) {
   const Vec3 abducting = -Vec3::UnitX(), flexing = Vec3::UnitY();
   Builder b;
   b.hand.name = "human hand";
-  constexpr auto kJoints = static_cast<Eigen::Index>(kHandAngleCount + 1);
-  b.hand.lower = b.hand.upper = JointVector::Zero(kJoints);
+  b.hand.lower = b.hand.upper = JointVector::Zero(kPalmArch + 1);
   b.hand.velocity = b.hand.acceleration = b.hand.jerk =
-      JointVector::Constant(kJoints, std::numeric_limits<double>::infinity());
+      JointVector::Constant(kPalmArch + 1, kInfinity);
   const int palm = b.frame("hand", -1, Pose::Identity(), Vec3::UnitZ(), -1);
 
   const robot::ThumbProportions& t = robot::kThumbProportions;
-  const auto thumb = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
+  const auto thumb = [&](int parent, const Pose& transform, const Vec3& axis, int k) {
     return b.joint(parent, transform, axis, t.lower[k], t.upper[k]);
   };
   const int rotation = thumb(palm, translation(0, t.across * hb, t.along * hl), -Vec3::UnitZ(), 0);
@@ -75,9 +72,9 @@ RobotModel human_hand(const HandSize& size) {
   const int ip = thumb(mcp, translation(0, 0, t.proximal * hl), flexing, 3);
   b.tip(0, mcp, ip, t.distal * hl);
 
-  for (std::size_t finger = 1; finger < kFingerCount; ++finger) {
+  for (int finger = 1; finger < std::ssize(kFingerNames); ++finger) {
     const robot::FingerProportions& f = robot::kFingerProportions[finger - 1];
-    const auto joint = [&](int parent, const Pose& transform, const Vec3& axis, std::size_t k) {
+    const auto joint = [&](int parent, const Pose& transform, const Vec3& axis, int k) {
       return b.joint(parent, transform, axis, f.lower[k], f.upper[k]);
     };
     int metacarpal = palm;
@@ -101,12 +98,12 @@ RobotModel human_hand(const HandSize& size) {
 HandPoints hand_points(const RobotModel& hand, const HandAngles& angles,
                        std::vector<Pose>& frames) {
   assert(hand.joints() == kHandAngleCount + 1);
-  Eigen::Matrix<double, static_cast<int>(kHandAngleCount) + 1, 1> q;
-  std::copy(angles.joint.begin(), angles.joint.end(), q.data());
+  Eigen::Matrix<double, kPalmArch + 1, 1> q;
+  std::ranges::copy(angles.joint, q.data());
   q[kPalmArch] = angles.palm_arch;
   robot::forward_kinematics(hand, Eigen::Map<const JointVector>(q.data(), q.size()), frames);
   HandPoints points;
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+  for (int finger = 0; finger < std::ssize(kFingerNames); ++finger) {
     const RobotModel::Tip& tip = hand.tips[finger];
     const Pose& last = frames[tip.frame];
     points.tip[finger] = last * tip.transform.translation();

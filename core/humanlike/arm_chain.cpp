@@ -16,12 +16,4 @@ ArmChain arm_chain(const robot::Robot& robot, const std::vector<Pose>& base_from
   return arm;
 }
 
-void add_chain(const ChainGradient& slopes, const ArmChain& arm, double weight, Loads& loads) {
-  loads.value += weight * slopes.value;
-  for (std::size_t i = 0; i < arm.joints.size(); ++i) {
-    const Vec3 force = weight * slopes.gradient[i];
-    loads.add_force(arm.frames[i], arm.joints[i], force, force, weight * slopes.curvature[i]);
-  }
-}
-
 }  // namespace morphe::humanlike

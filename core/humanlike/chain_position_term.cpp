@@ -8,7 +8,7 @@ void ChainPosition::add(const RobotState& state, const FrameGoal& goal, double s
                         Loads& loads) const {
   if (goal.chain.empty()) return;
   const ArmChain arm = arm_chain(state.robot, state.base_from_frame);
-  for (std::size_t i = 1; i < arm.joints.size(); ++i) {
+  for (int i = 1; i < std::ssize(arm.joints); ++i) {
     if (!is_known(goal.chain[i])) continue;
     loads.add_point(arm.frames[i], arm.joints[i], goal.chain[i], share, true);
   }

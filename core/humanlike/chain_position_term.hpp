@@ -4,9 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Joint-to-joint term of the arm: sum over the joints of arm_chain() beyond the shoulder of ‖s_j -
-/// goal_j‖² [m²]. It is not part of the paper's objective and has no key in the config; a mode sets
-/// its weight.
+/// Joint-to-joint term of the arm: sum of ‖s_j - goal_j‖² over the joints s_j of arm_chain() beyond
+/// the shoulder [m²]. It is not in the paper's objective and has no key; a mode sets its weight.
 struct ChainPosition {
   static constexpr TermGroup kGroup = TermGroup::joint_to_joint;
   double weight = 0;

@@ -52,13 +52,13 @@ std::string validation_error(const CustomTerm& options) {
   return options.weight >= 0 ? "" : "weight must not be negative";
 }
 
-std::string resolve_custom_terms(const std::vector<std::shared_ptr<const ResidualTerm>>& brought,
+std::string resolve_custom_terms(const std::vector<std::shared_ptr<const ResidualTerm>>& provided,
                                  CustomTerms& terms) {
   terms.weight = 1;
   for (CustomTerm& entry : terms.entries) {
     const auto found =
-        std::ranges::find(brought, entry.name, [](const auto& term) { return term->name(); });
-    if (found == brought.end()) return entry.name;
+        std::ranges::find(provided, entry.name, [](const auto& term) { return term->name(); });
+    if (found == provided.end()) return entry.name;
     entry.term = *found;
   }
   return "";

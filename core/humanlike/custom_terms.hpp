@@ -9,22 +9,21 @@
 
 namespace morphe::humanlike {
 
-/// A term that the calling program provides, under the name that the config gives it.
+/// An entry of a config for a term that the calling program provides.
 struct CustomTerm {
-  std::string name;
+  std::string name;  ///< ResidualTerm::name() of the provided term
   double weight = 0;
-  std::shared_ptr<const ResidualTerm> term;
+  std::shared_ptr<const ResidualTerm> term;  ///< null before resolve_custom_terms()
 };
 
-/// Sum of weight_i ‖r_i(q)‖² over the given terms. It is active once resolve_custom_terms() has
-/// found the terms that the config names.
+/// Sum of weight_i ‖r_i(q)‖² over the entries. It is inactive before resolve_custom_terms().
 struct CustomTerms {
   static constexpr TermGroup kGroup = TermGroup::posture;
   double weight = 0;
   std::vector<CustomTerm> entries;
 
-  /// Adds the terms; throws InputError if a term's residuals and Jacobian are not [k] and [k, n] or
-  /// not finite.
+  /// Adds the terms, multiplied by `share`, to the model. Throws InputError if a term's residuals
+  /// [k] and Jacobian [k, n] do not have these sizes or are not finite.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
 };
@@ -42,9 +41,9 @@ void fields(Fields& f, CustomTerms& o) {
   f("custom_terms", o.entries);
 }
 
-/// Assigns the provided terms to the entries by name; returns the first name that is not provided,
-/// or "".
-std::string resolve_custom_terms(const std::vector<std::shared_ptr<const ResidualTerm>>& brought,
+/// Assigns the provided terms to the entries and sets the weight to 1. Returns the first name that
+/// is not provided, or "".
+std::string resolve_custom_terms(const std::vector<std::shared_ptr<const ResidualTerm>>& provided,
                                  CustomTerms& terms);
 
 }  // namespace morphe::humanlike

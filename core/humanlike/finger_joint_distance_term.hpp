@@ -4,10 +4,10 @@
 
 namespace morphe::humanlike {
 
-/// Humanlikeness A of the fingers, second sum of Eq. (16): ‖s_middle - s_j‖² for each finger whose
-/// human middle joint was observed, divided by the number of centres of that finger [m²]. A centre
-/// belongs to the finger of the tip that it moves; for a tip between the human's fingers (`along`),
-/// s_middle is the point on the curve through their middle joints.
+/// Humanlikeness A of the fingers, second sum of Eq. (16): for each joint centre s_j of a finger,
+/// ‖middle - s_j‖² divided by the number of centres of that finger [m²]. `middle` is the human's
+/// middle joint of the finger whose tip the centre moves, or, for a tip between the human's fingers
+/// (finger_curve_share), the point on the curve through the middle joints.
 struct FingerJointDistance {
   static constexpr TermGroup kGroup = TermGroup::humanlike_fingers;
   double weight = 0;  ///< w_a [1/m²]

@@ -16,9 +16,8 @@ FrameGoal frame_goal(const Goals& goals, std::size_t frame) {
   goal.shoulder = goals.shoulder_position[frame];
   goal.wrist = goals.wrist_position[frame];
   goal.elbow = goals.elbow_position[frame];
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+  for (std::size_t finger = 0; finger < kFingerCount; ++finger)
     goal.finger_joint[finger] = goals.finger_joint_position(frame, finger);
-  }
   return goal;
 }
 

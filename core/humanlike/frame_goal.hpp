@@ -10,19 +10,18 @@
 
 namespace morphe::humanlike {
 
-/// The group of a term, which determines the phase-dependent factor of its weight and the modes in
-/// which it is omitted.
+/// The group of a term. It determines the factor of the term's weight in each phase, and the modes
+/// in which the term is omitted.
 enum class TermGroup {
   tip_position,
-  tip_orientation,  ///< also orientation of the hand
+  tip_orientation,  ///< also directions of pads, orientation of the hand
   humanlike_arm,
   humanlike_fingers,
   posture,         ///< used in every mode, with the same weight in every phase
-  joint_to_joint,  ///< used in that mode only, with the same weight in every phase
+  joint_to_joint,  ///< used in joint-to-joint mode only, with the same weight in every phase
 };
 
-/// The factors of the objective's weights in one frame, 1 unless the config sets them for its
-/// phase.
+/// The factors of the terms' weights in one frame. A config may set them for each phase.
 struct FrameWeights {
   double tip_position = 1, tip_orientation = 1, humanlike_arm = 1, humanlike_fingers = 1;
 
@@ -53,48 +52,46 @@ void fields(Fields& f, FrameWeights& o) {
   f("humanlike_fingers", o.humanlike_fingers);
 }
 
-/// The goals of one frame, in the robot's base frame; NaN if there is no goal.
+/// The goals of one frame, in the robot's base frame; NaN if there is no goal. [m] stands for one
+/// entry per tip.
 struct FrameGoal {
   std::vector<Vec3> tip_position;              ///< [m]
   std::vector<Quat> tip_orientation;           ///< [m]
   std::vector<double> tip_to_pad_share;        ///< [m] as Goals::tip_to_pad_share, or empty
-  std::vector<Vec3> pad_normal;                ///< [m] unit, inwards, for pads in contact; or empty
-  std::vector<std::uint8_t> closes_by_itself;  ///< [m] as Goals::closed, or empty
+  std::vector<Vec3> pad_normal;                ///< [m] unit, into the object; or empty
+  std::vector<std::uint8_t> closes_by_itself;  ///< [m] as Goals::auto_closed, or empty
   Quat hand = unknown_rotation();              ///< base_from_hand
-  /// Points of the human arm in the common base frame.
+  /// Positions of the human arm, shifted to the common base (Goals).
   Vec3 shoulder = unknown_point(), elbow = unknown_point(), wrist = unknown_point();
-  /// Middle joints of the human's fingers.
+  /// Positions of the human's middle joints.
   std::array<Vec3, kFingerCount> finger_joint{unknown_point(), unknown_point(), unknown_point(),
                                               unknown_point(), unknown_point()};
-  /// For tips between the human's fingers (RobotModel::Tip::along): the point at the same parameter
-  /// of the curve through the middle joints. Empty if the hand has no such tips.
+  /// For tips between the human's fingers: the point at RobotModel::Tip::finger_curve_share of the
+  /// curve through the middle joints. Empty if the hand has no such tips.
   std::vector<Vec3> interpolated_finger_joint;  ///< [m]
-  /// Goals of the joint-to-joint mode: a position for each joint of arm_chain(), and joint angles
-  /// (NaN = no goal). Empty in every other mode.
-  std::vector<Vec3> chain;
-  JointVector angles;
-  /// Factor by which the human's hand was scaled: the human's own distances are those of the tips'
-  /// goals divided by it.
-  double hand_scale = 1;
+  std::vector<Vec3> chain;  ///< goals of the joint-to-joint mode for arm_chain(), or empty
+  JointVector angles;       ///< goals of the joint-to-joint mode, NaN = no goal; or empty
+  double hand_scale = 1;    ///< by which the human's tip goals were scaled for the robot's hand
   FrameWeights weights;
 
-  /// Returns the pad share of a tip's goal, 0 if there are no pad shares.
-  double tip_to_pad_share_of(std::size_t tip) const {
+  /// Returns tip_to_pad_share of a tip, or 0 if it is empty.
+  double tip_to_pad_share_of(std::ptrdiff_t tip) const {
     return tip_to_pad_share.empty() ? 0 : tip_to_pad_share[tip];
   }
-  /// Returns the number of tips with a recorded goal, which determine the pose of the hand. Fingers
-  /// that close by themselves are not counted.
+  /// Returns the number of tips with a position goal from the recording: without closes_by_itself.
   int recorded_tip_count() const {
     int count = goal_tip_count();
-    for (std::size_t tip = 0; tip < closes_by_itself.size(); ++tip) {
-      count -= closes_by_itself[tip] != 0 && is_known(tip_position[tip]) ? 1 : 0;
+    for (int tip = 0; tip < std::ssize(closes_by_itself); ++tip) {
+      if (closes_by_itself[tip] != 0 && is_known(tip_position[tip])) --count;
     }
     return count;
   }
   /// Returns the number of tips with a position goal.
   int goal_tip_count() const {
     int count = 0;
-    for (const Vec3& tip : tip_position) count += is_known(tip) ? 1 : 0;
+    for (const Vec3& position : tip_position) {
+      if (is_known(position)) ++count;
+    }
     return count;
   }
   /// Returns true if shoulder, elbow and wrist of the human are known.
@@ -102,9 +99,9 @@ struct FrameGoal {
 };
 
 /// Calls f for each measured quantity of a goal, which may be const: f(Vec3&) for points [m] and
-/// unit normals, f(Quat&) for rotations, f(double&) for shares and angles [rad]; not for
-/// closes_by_itself, hand_scale and weights. A member that is added to FrameGoal does not compile
-/// until it is named here, among those that are visited or not.
+/// unit normals, f(Quat&) for rotations, f(double&) for shares and angles [rad]. Not visited are
+/// closes_by_itself, hand_scale and weights. A new member of FrameGoal must be named here, whether
+/// it is visited or not; otherwise this does not compile.
 template <class Goal, class F>
 requires std::same_as<std::remove_const_t<Goal>, FrameGoal>
 void for_each_quantity(Goal& goal, const F& f) {
@@ -128,8 +125,8 @@ void for_each_quantity(Goal& goal, const F& f) {
   each(angles);
 }
 
-/// Returns the goal of one frame: what `goals` hold of it. Angles, chain, pad normals, curve points
-/// and weights are left empty or at their defaults.
+/// Returns the goal of a frame. Pad normals, interpolated finger joints, chain and angles are
+/// empty, weights 1.
 FrameGoal frame_goal(const Goals& goals, std::size_t frame);
 
 }  // namespace morphe::humanlike

@@ -9,7 +9,7 @@ void add_objective(const FrameObjective& objective, const robot::Robot& robot, c
                    Curvature curvature) {
   if (curvature == Curvature::exact) {
     if (!scratch.loads.points.empty()) {
-      scratch.last_q = q - scratch.last_q;
+      scratch.last_q = q - scratch.last_q;  // the step
       predict_multiplier_forces(robot, scratch.last_q, scratch.sweep, scratch.loads.points);
     }
     scratch.last_q = q;

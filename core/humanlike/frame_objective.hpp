@@ -4,11 +4,10 @@
 
 namespace morphe::humanlike {
 
-/// The paper's arm-hand objective of one frame, Eq. (16), with metric A (and B, C if weighted):
-///   w_x sum ‖x_i - goal_i‖² + w_o sum d_o + w_A A + w_a sum A_i  (+ hand orientation, posture,
-/// and the terms that replace them in joint-to-joint mode). It is the sum of its terms, each
-/// multiplied by its weight and the frame's factor for its group, and is inactive as long as no
-/// weight is set.
+/// The objective of one frame: the sum of its terms, each multiplied by its weight (0 unless set)
+/// and by the frame's factor for its group. It contains the paper's arm-hand objective, Eq. (16),
+///   w_x sum ‖x_i - goal_i‖² + w_o sum d_i + w_A A + w_a sum A_i,
+/// and further terms: see terms.hpp.
 struct FrameObjective {
   Terms terms;
 
@@ -39,20 +38,19 @@ void fields(Fields& f, FrameObjective& o) {
   o.for_each_term([&](auto& term) { fields(f, term); });
 }
 
-/// Buffers that the evaluations of one descent share; new_descent() must be called before the next
-/// descent.
+/// Buffers and memory of the evaluations of one descent; new_descent() begins another one.
 struct ObjectiveScratch {
   std::vector<Pose> base_from_frame;  ///< poses of the frames at the last q
   Loads loads;
   LoadSweep sweep;
-  JointVector last_q;  ///< q of the last exact evaluation
+  JointVector last_q;  ///< q of the last evaluation with Curvature::exact
 
   /// Discards the memory of the last descent.
   void new_descent() { loads.forget(); }
 };
 
-/// Adds the value, gradient and Hessian of every term at q [n] to the model. With Curvature::none
-/// the Hessian is unchanged, except for terms of the joints themselves, which are quadratic.
+/// Adds the value, gradient and Hessian of every term at q [n] to the model. `curvature` applies to
+/// terms of frames; a JointTerm always adds its Gauss-Newton Hessian.
 void add_objective(const FrameObjective& objective, const robot::Robot& robot, const JointVector& q,
                    const FrameGoal& goal, ObjectiveScratch& scratch, solve::Quadratic& model,
                    Curvature curvature = Curvature::gauss_newton);

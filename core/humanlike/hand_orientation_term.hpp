@@ -4,8 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// The distance of TipOrientation for the hand: a weak goal for frames in which fewer than three
-/// tips were observed.
+/// The distance of TipOrientation, for the palm's orientation: a goal of the hand in frames in
+/// which fewer than three tips have a recorded goal.
 struct HandOrientation {
   static constexpr TermGroup kGroup = TermGroup::tip_orientation;
   double weight = 0;  ///< [1/rad]

@@ -8,21 +8,20 @@
 namespace morphe::humanlike {
 namespace {
 
-using Facet = std::array<std::size_t, 3>;
+using Facet = std::array<int, 3>;
 
 /// Returns the indices of the points that differ from all points before them.
-std::vector<std::size_t> distinct(const std::vector<Vec3>& points) {
-  std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](std::size_t other) {
-      return (points[i] - points[other]).norm() < 1e-12;
-    });
-    if (!known) kept.push_back(i);
+std::vector<int> distinct_indices(const std::vector<Vec3>& points) {
+  std::vector<int> kept;
+  for (int i = 0; i < std::ssize(points); ++i) {
+    const auto same = [&](int other) { return (points[i] - points[other]).norm() < 1e-12; };
+    if (std::ranges::none_of(kept, same)) kept.push_back(i);
   }
   return kept;
 }
 
-std::vector<Facet> tetrahedron(const std::vector<Vec3>& points, const std::vector<std::size_t>& i) {
+/// Returns the facets of the tetrahedron of the points i[0] … i[3]; empty if they are coplanar.
+std::vector<Facet> tetrahedron(const std::vector<Vec3>& points, const std::vector<int>& i) {
   Eigen::Matrix3d edges;
   for (int k = 0; k < 3; ++k) edges.col(k) = points[i[k + 1]] - points[i[0]];
   const double determinant = edges.determinant();
@@ -38,16 +37,15 @@ std::vector<Facet> tetrahedron(const std::vector<Vec3>& points, const std::vecto
 }  // namespace
 
 std::vector<Facet> hull_facets(const std::vector<Vec3>& points) {
-  const std::vector<std::size_t> corners = distinct(points);
+  const std::vector<int> corners = distinct_indices(points);
   if (corners.size() < 4) return {};
   if (corners.size() == 4) return tetrahedron(points, corners);
   std::vector<Vec3> distinct_points;
-  for (const std::size_t corner : corners) distinct_points.push_back(points[corner]);
+  for (const int corner : corners) distinct_points.push_back(points[corner]);
   std::vector<Facet> facets;
-  // Coplanar sets have no facets in space.
   for (const math::HullTriangle& triangle : math::convex_hull_3d(std::move(distinct_points))) {
     Facet facet;
-    for (std::size_t k = 0; k < 3; ++k) facet[k] = corners[triangle.corners[k]];
+    for (int k = 0; k < 3; ++k) facet[k] = corners[triangle.corners[k]];
     const Vec3 normal =
         (points[facet[1]] - points[facet[0]]).cross(points[facet[2]] - points[facet[0]]);
     if (normal.dot(triangle.outwards) < 0) std::swap(facet[1], facet[2]);

@@ -7,9 +7,8 @@
 
 namespace morphe::humanlike {
 
-/// Returns the facets of the convex hull of points: three indices each, counter-clockwise from
-/// outside. Four points form a tetrahedron, more are passed to math::convex_hull_3d; the result is
-/// empty for fewer or coplanar points.
-std::vector<std::array<std::size_t, 3>> hull_facets(const std::vector<Vec3>& points);
+/// Returns the facets of the convex hull of points, each as the indices of its three corners,
+/// counter-clockwise seen from outside; empty if the points are fewer than four or coplanar.
+std::vector<std::array<int, 3>> hull_facets(const std::vector<Vec3>& points);
 
 }  // namespace morphe::humanlike

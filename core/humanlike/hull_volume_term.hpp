@@ -4,8 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Humanlikeness C of the arm, Eqs. (7)–(9) [m³], see hull_volume_sum. It has no curvature of its
-/// own.
+/// Humanlikeness C of the arm, Eqs. (7)–(9) [m³], see hull_volume_sum(). Its curvature is
+/// taken as zero, except for that of the kinematics.
 struct HullVolume {
   static constexpr TermGroup kGroup = TermGroup::humanlike_arm;
   double weight = 0;  ///< w_C [1/m³]

@@ -5,7 +5,7 @@
 namespace morphe::humanlike {
 
 /// Joint-to-joint term of the fingers: sum of (q_j - goal_j)² over the joints that have a goal
-/// [rad²]. It has no key in the config; a mode sets its weight.
+/// [rad²]. It has no key; a mode sets its weight.
 struct JointAngle {
   static constexpr TermGroup kGroup = TermGroup::joint_to_joint;
   double weight = 0;

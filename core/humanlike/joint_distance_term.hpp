@@ -4,8 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Humanlikeness A of the arm, Eq. (5): sum_j ‖s_elbow - s_j‖² over the k joint centres, divided by
-/// k so that the weight has the same meaning for every robot [m²].
+/// Humanlikeness A of the arm, Eq. (5): sum of ‖elbow - s_j‖² over the arm's joint centres s_j,
+/// divided by their number so that the weight has the same meaning for every robot [m²].
 struct JointDistance {
   static constexpr TermGroup kGroup = TermGroup::humanlike_arm;
   double weight = 0;  ///< w_A, for the mean over the joint centres [1/m²]

@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "core/humanlike/chain_gradients.hpp"
-#include "core/humanlike/knots.hpp"
 
 namespace morphe::humanlike {
 namespace {
 
-/// Computes a triangle's area by Heron's formula; a negative radicand due to round-off counts as
-/// zero.
-double heron(double a, double b, double c) {
+/// Computes a triangle's area by Heron's formula, whose radicand rounding may make negative.
+double triangle_area(double a, double b, double c) {
   return 0.25 * std::sqrt(std::max(0.0, (a + b + c) * (a - b + c) * (a + b - c) * (-a + b + c)));
 }
 
@@ -27,12 +25,12 @@ double triangle_area_sum(const Chain& human, const Chain& robot) {
   const std::vector<double> human_knots = knots(human), robot_knots = knots(robot);
   const std::vector<double> all = all_knots(human_knots, robot_knots);
   double sum = 0;
-  for (std::size_t i = 1; i + 1 < all.size(); ++i) {
+  for (int i = 1; i + 1 < std::ssize(all); ++i) {
     const Vec3 joint = chain_point(human_knots, all[i]).point_on(human);
     const Vec3 corresponding = chain_point(robot_knots, all[i]).point_on(robot);
     const Vec3 next = chain_point(robot_knots, all[i + 1]).point_on(robot);
-    sum +=
-        heron((joint - corresponding).norm(), (corresponding - next).norm(), (next - joint).norm());
+    sum += triangle_area((joint - corresponding).norm(), (corresponding - next).norm(),
+                         (next - joint).norm());
   }
   return sum;
 }

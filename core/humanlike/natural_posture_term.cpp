@@ -7,8 +7,8 @@ namespace morphe::humanlike {
 namespace {
 
 bool is_active(const NaturalPosture::Joint& entry, const FrameGoal& goal) {
-  return std::none_of(entry.tips.begin(), entry.tips.end(),
-                      [&](int tip) { return is_known(goal.tip_position[tip]); });
+  return std::ranges::none_of(entry.tips,
+                              [&](int tip) { return is_known(goal.tip_position[tip]); });
 }
 
 double posture_error(const NaturalPosture::Joint& entry, const JointVector& q) {

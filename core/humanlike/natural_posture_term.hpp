@@ -6,14 +6,14 @@
 
 namespace morphe::humanlike {
 
-/// Natural posture of the joints without goals: sum of (q_joint - q_follow - value)² over joints
-/// that only move tips without a goal in this frame [rad²].
+/// Natural posture of the joints that only move tips without a goal in this frame: sum of (q_joint
+/// - q_follow - value)² over them [rad²].
 struct NaturalPosture {
   /// A joint that has a natural posture.
   struct Joint {
     int joint = 0;
-    int follow = -1;        ///< joint to copy, -1 if it copies no joint
-    double value = 0;       ///< [rad]
+    int follow = -1;        ///< joint that it copies, -1 if it copies no joint
+    double value = 0;       ///< its position less that of `follow` [rad]
     std::vector<int> tips;  ///< tips that the joint moves
   };
   static constexpr TermGroup kGroup = TermGroup::posture;
@@ -22,8 +22,8 @@ struct NaturalPosture {
   /// Adds the term at a state, multiplied by `share`, to the model.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
-  /// Returns the root mean square distance from the natural posture over the active joints [rad],
-  /// or NaN if no joint is active.
+  /// Returns the root mean square distance from the natural posture over the joints that only move
+  /// tips without a goal [rad], or NaN without such joints.
   double distance(const JointVector& q, const FrameGoal& goal) const;
 };
 /// Declares the config keys of the term.

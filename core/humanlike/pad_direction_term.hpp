@@ -4,9 +4,9 @@
 
 namespace morphe::humanlike {
 
-/// Sum over tips with a contact of share · ‖m(q) - n‖² = share · 4 sin²(φ/2), with m the middle
-/// direction of the pad, n the inward normal of the surface that it should touch
-/// (FrameGoal::pad_normal), and φ the angle between them.
+/// Sum over tips with a contact of tip_to_pad_share · ‖m(q) - n‖² = tip_to_pad_share · 4 sin²(φ/2).
+/// m is the middle direction of the pad, n the inward normal of the surface that the pad should
+/// touch (FrameGoal::pad_normal), and φ the angle between them.
 struct PadDirection {
   static constexpr TermGroup kGroup = TermGroup::tip_orientation;
   double weight = 0;

@@ -18,7 +18,8 @@
 
 namespace morphe::humanlike {
 
-/// All terms, in the order in which they are summed and in which their keys appear in a config.
+/// All terms, in the order in which their keys appear in a config. Terms of frames are summed in
+/// this order, then those of joints.
 using Terms = std::tuple<TipPosition,          //
                          TipOrientation,       //
                          PadDirection,         //

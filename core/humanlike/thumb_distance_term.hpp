@@ -5,11 +5,11 @@
 namespace morphe::humanlike {
 
 /// Keeps pinches closed for hands of different size: over the fingers other than the thumb,
-///   sum of s(d) (‖x_thumb(q) - x(q)‖ - d)² [m²],  d = ‖goal_thumb - goal‖ / hand_scale,
-/// with d the distance of the human's own tips and s a proximity weight: 1 up to near_m, 0 from
-/// far_m on, and between them a cubic with zero slope at both ends. The relative direction of the
-/// tips is left to their position goals, because few robot thumbs oppose a finger as the human's
-/// does.
+///   sum of s(d) (‖x_thumb(q) - x(q)‖ - d)² [m²],  d = ‖goal_thumb - goal‖ / hand_scale.
+/// d is the distance of the human's own tips. s is a proximity weight: 1 up to full_distance_m, 0
+/// from zero_distance_m on, and between them a cubic with zero slope at both ends. The direction
+/// from tip to tip is left to their position goals, because few robot thumbs oppose a finger as the
+/// human's does.
 struct ThumbDistance {
   static constexpr TermGroup kGroup = TermGroup::tip_position;
   double weight = 0;  ///< [1/m²]
@@ -17,7 +17,7 @@ struct ThumbDistance {
   /// Adds the term at a state, multiplied by `share`, to the model.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
-  /// Returns s(d).
+  /// Returns the proximity weight s of a distance.
   double proximity_weight(double distance_m) const;
 };
 /// Declares the config keys of the term.

@@ -1,19 +1,16 @@
 #include "core/humanlike/tip_orientation_term.hpp"
 
-#include "core/humanlike/angle_load.hpp"
-
 namespace morphe::humanlike {
 
 void TipOrientation::add(const RobotState& state, const FrameGoal& goal, double share,
                          Loads& loads) const {
-  for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
+  for (int i = 0; i < std::ssize(state.robot.tips); ++i) {
     if (!is_known(goal.tip_orientation[i])) continue;
     const RobotModel::Tip& tip = state.robot.tips[i];
     const Quat in_frame(tip.transform.linear());
     const Quat current =
         tip.frame < 0 ? in_frame : Quat(state.pose_of(tip.frame).linear()) * in_frame;
-    add_angle(tip.frame, current, goal.tip_orientation[i], share, smoothing_rad, loads.next_angle(),
-              loads);
+    loads.add_angle(tip.frame, current, goal.tip_orientation[i], share, smoothing_rad);
   }
 }
 

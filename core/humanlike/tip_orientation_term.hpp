@@ -4,8 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Eqs. (2), (3): acos|⟨h, g⟩| of the tips' orientations, half the rotation angle, not squared;
-/// smoothed at zero to sqrt(d² + smoothing²).
+/// Eqs. (2), (3): sum over tips of d = acos|⟨h(q), goal⟩|, half the angle between the orientations,
+/// not squared but smoothed at zero to sqrt(d² + smoothing_rad²) [rad].
 struct TipOrientation {
   static constexpr TermGroup kGroup = TermGroup::tip_orientation;
   double weight = 0;  ///< w_o [1/rad]

@@ -4,7 +4,7 @@ namespace morphe::humanlike {
 
 void TipPosition::add(const RobotState& state, const FrameGoal& goal, double share,
                       Loads& loads) const {
-  for (std::size_t i = 0; i < state.robot.tips.size(); ++i) {
+  for (int i = 0; i < std::ssize(state.robot.tips); ++i) {
     if (!is_known(goal.tip_position[i])) continue;
     const Vec3 point =
         robot::tracked_point(state.robot, state.base_from_frame, i, goal.tip_to_pad_share_of(i));

@@ -4,8 +4,8 @@
 
 namespace morphe::humanlike {
 
-/// Eq. (1): sum over tips of ‖x(q) - x_goal‖² [m²], with x the tip or the tracked point of its pad
-/// (robot::tracked_point).
+/// Eq. (1): sum over tips of ‖x(q) - goal‖² [m²], with x the tip or the point of it to which the
+/// goal applies (robot::tracked_point).
 struct TipPosition {
   static constexpr TermGroup kGroup = TermGroup::tip_position;
   double weight = 0;  ///< w_x [1/m²]

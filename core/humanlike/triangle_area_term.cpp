@@ -1,16 +1,16 @@
 #include "core/humanlike/triangle_area_term.hpp"
 
-#include "core/humanlike/arm_chain.hpp"
+#include "core/humanlike/arm_metric.hpp"
+#include "core/humanlike/chain_gradients.hpp"
 
 namespace morphe::humanlike {
 
 void TriangleArea::add(const RobotState& state, const FrameGoal& goal, double share,
                        Loads& loads) const {
-  if (!goal.has_arm_goal()) return;
-  const Chain human{goal.shoulder, goal.elbow, goal.wrist};
-  const ArmChain arm = arm_chain(state.robot, state.base_from_frame);
-  if (arm.joints.size() < 2) return;  // a hand without an arm
-  add_chain(triangle_area_gradient(human, arm.joints, smoothing_m2), arm, share, loads);
+  const auto metric_of = [this](const Chain& human, const Chain& robot) {
+    return triangle_area_gradient(human, robot, smoothing_m2);
+  };
+  add_arm_metric(state, goal, share, metric_of, loads);
 }
 
 }  // namespace morphe::humanlike

@@ -4,8 +4,7 @@
 
 namespace morphe::humanlike {
 
-/// Humanlikeness B of the arm, Eq. (6) [m²], see triangle_area_sum; smoothed for vanishing
-/// triangles.
+/// Humanlikeness B of the arm, Eq. (6) [m²], see triangle_area_gradient().
 struct TriangleArea {
   static constexpr TermGroup kGroup = TermGroup::humanlike_arm;
   double weight = 0;  ///< w_B [1/m²]

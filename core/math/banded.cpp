@@ -6,30 +6,29 @@
 namespace morphe::math {
 namespace {
 
+using Eigen::Index;
+
 template <class RightSide>
 void substitute(const BandedMatrix& m, RightSide& b) {
-  for (Eigen::Index i = 0; i < m.size; ++i) {
-    for (Eigen::Index d = 1; d <= std::min(m.bandwidth, i); ++d)
-      b.row(i) -= m.entry(i, d) * b.row(i - d);
+  for (Index i = 0; i < m.size; ++i) {
+    for (Index d = 1; d <= std::min(m.bandwidth, i); ++d) b.row(i) -= m.entry(i, d) * b.row(i - d);
     b.row(i) /= m.entry(i, 0);
   }
-  for (Eigen::Index i = m.size - 1; i >= 0; --i) {
+  for (Index i = m.size - 1; i >= 0; --i) {
     b.row(i) /= m.entry(i, 0);
-    for (Eigen::Index d = 1; d <= std::min(m.bandwidth, i); ++d)
-      b.row(i - d) -= m.entry(i, d) * b.row(i);
+    for (Index d = 1; d <= std::min(m.bandwidth, i); ++d) b.row(i - d) -= m.entry(i, d) * b.row(i);
   }
 }
 
 }  // namespace
 
 bool factor(BandedMatrix& m) {
-  for (Eigen::Index i = 0; i < m.size; ++i) {
-    const Eigen::Index first = std::max<Eigen::Index>(0, i - m.bandwidth);
-    for (Eigen::Index j = first; j <= i; ++j) {
+  for (Index i = 0; i < m.size; ++i) {
+    const Index first = std::max<Index>(0, i - m.bandwidth);
+    for (Index j = first; j <= i; ++j) {
       double sum = m.entry(i, i - j);
-      for (Eigen::Index k = std::max(first, j - m.bandwidth); k < j; ++k) {
+      for (Index k = std::max(first, j - m.bandwidth); k < j; ++k)
         sum -= m.entry(i, i - k) * m.entry(j, j - k);
-      }
       if (j < i) {
         m.entry(i, i - j) = sum / m.entry(j, 0);
       } else {

@@ -4,8 +4,7 @@
 
 namespace morphe::math {
 
-/// A symmetric positive definite matrix with `bandwidth` diagonals below the main one: entry(i, d)
-/// is A(i, i - d).
+/// A symmetric positive definite matrix A with `bandwidth` diagonals below the main one.
 struct BandedMatrix {
   Eigen::Index size = 0, bandwidth = 0;
   Eigen::VectorXd values;  ///< [size * (bandwidth + 1)]

@@ -5,11 +5,11 @@
 namespace morphe::math {
 
 std::vector<Eigen::Vector2d> convex_hull_2d(std::vector<Eigen::Vector2d> points) {
-  std::ranges::sort(points, [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  using Point = Eigen::Vector2d;
+  std::ranges::sort(points, [](const Point& a, const Point& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });
-  const auto left_turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                            const Eigen::Vector2d& c) {
+  const auto turns_left = [](const Point& a, const Point& b, const Point& c) {
     return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() > 0;
   };
   std::vector<Eigen::Vector2d> hull;
@@ -17,7 +17,7 @@ std::vector<Eigen::Vector2d> convex_hull_2d(std::vector<Eigen::Vector2d> points)
     const std::size_t first = hull.size();
     for (auto point = begin; point != end; ++point) {
       while (hull.size() >= first + 2 &&
-             !left_turn(hull[hull.size() - 2], hull[hull.size() - 1], *point))
+             !turns_left(hull[hull.size() - 2], hull[hull.size() - 1], *point))
         hull.pop_back();
       hull.push_back(*point);
     }

@@ -21,10 +21,10 @@ std::vector<HullTriangle> convex_hull_3d(std::vector<Vec3> points) {
     FORALLfacets {
       HullTriangle triangle;
       triangle.outwards = Vec3(facet->normal[0], facet->normal[1], facet->normal[2]);
-      std::size_t corner = 0;
+      int corner = 0;
       vertexT *vertex, **vertexp;
       FOREACHvertex_(facet->vertices) {
-        if (corner == triangle.corners.size()) break;
+        if (corner == std::ssize(triangle.corners)) break;
         triangle.corners[corner++] = qh_pointid(qh, vertex->point);
       }
       triangles.push_back(triangle);

@@ -7,17 +7,13 @@ namespace {
 
 using Weights = Eigen::Matrix<double, 4, 6, Eigen::RowMajor>;
 
-/// Adds the weights of the coefficients in a derivative: differences of the B-splines of a lower
-/// degree.
-template <std::size_t Order>
+/// Adds row `Order` at z: the B-splines of degree 5 - Order, differenced and multiplied by `rate`.
+template <int Order>
 void add_derivative_weights(Weights& weights, double z, double rate,
                             const std::array<double, Order + 1>& difference) {
-  const auto lower = bspline_weights<5 - static_cast<int>(Order)>(z);
-  for (std::size_t k = 0; k < lower.size(); ++k) {
-    for (std::size_t d = 0; d <= Order; ++d) {
-      weights(Order, k + d) += lower[k] * difference[d] * rate;
-    }
-  }
+  const auto lower = bspline_weights<5 - Order>(z);
+  for (int k = 0; k < std::ssize(lower); ++k)
+    for (int d = 0; d <= Order; ++d) weights(Order, k + d) += lower[k] * difference[d] * rate;
 }
 
 }  // namespace
@@ -30,14 +26,14 @@ KnotPosition knot_position(const JointSpline& spline, double u) {
 }
 
 void evaluate(const JointSpline& spline, double u, JointRows& out) {
-  const KnotPosition at = knot_position(spline, u);
+  const KnotPosition knot = knot_position(spline, u);
   const double rate = 1 / spline.knot_spacing();
   Weights weights = Weights::Zero();
-  add_derivative_weights<0>(weights, at.z, 1, {1});
-  add_derivative_weights<1>(weights, at.z, rate, {-1, 1});
-  add_derivative_weights<2>(weights, at.z, rate * rate, {1, -2, 1});
-  add_derivative_weights<3>(weights, at.z, rate * rate * rate, {-1, 3, -3, 1});
-  out.noalias() = weights.lazyProduct(spline.coefficient.middleRows<6>(at.interval));
+  add_derivative_weights<0>(weights, knot.z, 1, {1});
+  add_derivative_weights<1>(weights, knot.z, rate, {-1, 1});
+  add_derivative_weights<2>(weights, knot.z, rate * rate, {1, -2, 1});
+  add_derivative_weights<3>(weights, knot.z, rate * rate * rate, {-1, 3, -3, 1});
+  out.noalias() = weights.lazyProduct(spline.coefficient.middleRows<6>(knot.interval));
   out.row(0) += spline.origin;
 }
 

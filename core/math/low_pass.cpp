@@ -38,25 +38,24 @@ struct Butterworth {
 std::vector<double> low_pass_filter(const std::vector<double>& values, double rate_hz,
                                     double cutoff_hz) {
   assert(cutoff_hz > 0 && cutoff_hz < rate_hz / 2);
-  const std::size_t n = values.size();
+  const std::ptrdiff_t n = std::ssize(values);
   if (n < 2) return values;
-  // The reflection covers the memory of the filter, which decays to 1e-6 in about three periods.
-  const std::size_t pad = std::min(n - 1, static_cast<std::size_t>(3 * rate_hz / cutoff_hz) + 1);
+  // The reflection covers the filter's memory: about three periods of the cut-off decay to 1e-6.
+  const auto pad = std::min(n - 1, static_cast<std::ptrdiff_t>(3 * rate_hz / cutoff_hz) + 1);
   std::vector<double> padded;
   padded.reserve(n + 2 * pad);
-  for (std::size_t i = pad; i > 0; --i) padded.push_back(2 * values.front() - values[i]);
+  for (std::ptrdiff_t i = pad; i > 0; --i) padded.push_back(2 * values.front() - values[i]);
   padded.insert(padded.end(), values.begin(), values.end());
-  for (std::size_t i = 1; i <= pad; ++i) padded.push_back(2 * values.back() - values[n - 1 - i]);
+  for (std::ptrdiff_t i = 1; i <= pad; ++i) padded.push_back(2 * values.back() - values[n - 1 - i]);
 
   // Two passes multiply the gains, so the cut-off of each is higher by (sqrt(2) - 1)^(-1/4).
   const double widen = std::pow(std::numbers::sqrt2 - 1, -0.25);
   const Butterworth filter(std::tan(std::numbers::pi * cutoff_hz / rate_hz) * widen);
   filter.run(padded);
-  std::reverse(padded.begin(), padded.end());
+  std::ranges::reverse(padded);
   filter.run(padded);
-  std::reverse(padded.begin(), padded.end());
-  const auto begin = padded.begin() + pad;
-  return {begin, begin + n};
+  std::ranges::reverse(padded);
+  return {padded.begin() + pad, padded.end() - pad};
 }
 
 }  // namespace morphe::math

@@ -21,8 +21,8 @@ class RandomStream {
   double uniform(double from, double to) { return from + (to - from) * uniform(); }
   /// Returns a number uniformly distributed in a range {from, to}.
   double uniform(const std::vector<double>& range) { return uniform(range[0], range[1]); }
-  /// Returns true with the probability `share`.
-  bool bernoulli(double share) { return uniform() < share; }
+  /// Returns true with this probability.
+  bool bernoulli(double probability) { return uniform() < probability; }
   /// Returns an integer uniformly distributed in {from, to}, including both.
   int uniform_integer(const std::vector<double>& range);
   /// Returns a normally distributed number with mean 0 and variance 1 (Marsaglia's polar method).

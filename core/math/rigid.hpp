@@ -10,13 +10,11 @@ namespace morphe::math {
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m);
 
 /// Returns the rigid transformation T = (R, t) that minimises sum_k |T from_k - to_k|^2 over the
-/// pairs in which both points are known (R is the rotation nearest to the cross-covariance). All
-/// elements are NaN if there are fewer than three pairs, or if they are collinear (second singular
-/// value of the centred points below 2 mm).
+/// pairs of known points; R is the rotation nearest to the cross-covariance. All NaN for fewer than
+/// three pairs, or collinear ones (second singular value of the centred points below 2 mm).
 Pose fit_rigid_transform(const std::vector<Vec3>& from, const std::vector<Vec3>& to);
 
-/// Returns the root mean square of |T from_k - to_k| over the pairs in which both points are known
-/// [m], or NaN if there is no such pair.
+/// Returns the root mean square of |to_from from_k - to_k| over pairs of known points, or NaN.
 double rigid_residual(const Pose& to_from, const std::vector<Vec3>& from,
                       const std::vector<Vec3>& to);
 

@@ -4,8 +4,8 @@
 
 namespace morphe::math {
 
-// Eigen compiles a singular value decomposition for the first and an eigenvalue solver for the
-// second, which takes seconds for each file that calls them, so they are called only here.
+// FromTwoVectors() instantiates a singular value decomposition, principal_axes() an eigenvalue
+// solver. Compiling them takes seconds for each file, so that only this file contains them.
 
 Quat shortest_rotation(const Vec3& a, const Vec3& b) { return Quat::FromTwoVectors(a, b); }
 

@@ -14,8 +14,7 @@ struct PrincipalAxes {
   Eigen::Matrix3d axes;
 };
 
-/// Returns the decomposition S = sum_k moments_k axes_k axes_kᵀ; only the lower triangle of S is
-/// read.
+/// Returns the decomposition S = sum_k moments_k axes_k axes_kᵀ; reads only S's lower triangle.
 PrincipalAxes principal_axes(const Eigen::Matrix3d& symmetric);
 
 }  // namespace morphe::math

@@ -6,8 +6,7 @@
 
 namespace morphe::math {
 
-/// Returns the first 64 bits of SHA-256("<seed>/<name>"): a seed that depends on a name, not on the
-/// order of calls.
+/// Returns the first 64 bits of SHA-256("<seed>/<name>"), independent of the order of calls.
 std::uint64_t seed_from(std::uint64_t seed, std::string_view name);
 
 /// Returns the seed for "<name>/<number>", for numbered attempts, frames or searches.

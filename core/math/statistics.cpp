@@ -7,11 +7,9 @@
 namespace morphe::math {
 namespace {
 
-/// Returns x[rank] of values in ascending order.
-double value_at_rank(std::vector<double>& values, std::size_t rank) {
-  const auto at = values.begin() + rank;
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+double value_at_rank(std::vector<double>& values, std::ptrdiff_t rank) {
+  std::ranges::nth_element(values, values.begin() + rank);
+  return values[rank];
 }
 
 }  // namespace

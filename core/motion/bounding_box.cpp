@@ -1,39 +1,29 @@
 #include "core/motion/bounding_box.hpp"
 
-#include <array>
-#include <cstddef>
-
 namespace morphe {
 namespace {
 
-bool has_size(const SceneObject& object) {
-  // Sphere, box, cylinder, capsule.
-  constexpr std::array<std::size_t, 4> kSizeCounts = {1, 3, 2, 2};
+bool size_fits_shape(const SceneObject& object) {
   if (object.shape == Shape::mesh) return !object.vertices.empty();
-  return object.size.size() == kSizeCounts[static_cast<std::size_t>(object.shape)];
+  const int dimensions = object.shape == Shape::sphere ? 1 : object.shape == Shape::box ? 3 : 2;
+  return std::ssize(object.size) == dimensions;
 }
 
-/// Returns half the extent along each axis of a frame, about the object's centre. Meshes are not
-/// supported.
-Vec3 half_extent(const SceneObject& object, const Eigen::Matrix3d& turn) {
+/// Returns half the extent of an object that is no mesh along each axis of the frame.
+Vec3 half_extent(const SceneObject& object, const Eigen::Matrix3d& rotation) {
   const std::vector<double>& size = object.size;
-  const Eigen::Array3d along = turn.col(2).array().abs();
-  switch (object.shape) {
-    case Shape::sphere:
-      return Vec3::Constant(size[0]);
-    case Shape::box:
-      return turn.cwiseAbs() * Vec3(size[0], size[1], size[2]) / 2;
-    case Shape::capsule:
-      return size[0] + size[1] / 2 * along;
-    default:  // a disk of unit normal a reaches r sqrt(1 - a_i^2) along axis i
-      return size[1] / 2 * along + size[0] * (1 - along.square()).max(0).sqrt();
-  }
+  const Eigen::Array3d abs_z_axis = rotation.col(2).array().abs();
+  if (object.shape == Shape::sphere) return Vec3::Constant(size[0]);
+  if (object.shape == Shape::box) return rotation.cwiseAbs() * Vec3(size[0], size[1], size[2]) / 2;
+  if (object.shape == Shape::capsule) return size[0] + size[1] / 2 * abs_z_axis;
+  // A cylinder's disk of unit normal a extends by r sqrt(1 - a_i^2) along axis i.
+  return size[1] / 2 * abs_z_axis + size[0] * (1 - abs_z_axis.square()).max(0).sqrt();
 }
 
 }  // namespace
 
 Eigen::AlignedBox3d bounding_box(const SceneObject& object, const Pose& frame_from_object) {
-  if (!has_size(object)) return Eigen::AlignedBox3d(frame_from_object.translation());
+  if (!size_fits_shape(object)) return Eigen::AlignedBox3d(frame_from_object.translation());
   Eigen::AlignedBox3d extent;
   for (const Vec3& vertex : object.vertices) extent.extend(frame_from_object * vertex);
   if (object.shape == Shape::mesh) return extent;

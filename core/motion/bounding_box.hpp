@@ -4,9 +4,8 @@
 
 namespace morphe {
 
-/// Returns the axis-aligned bounding box of an object in the frame in which `frame_from_object`
-/// gives its pose. If the object has no size, or a number of dimensions that does not fit its
-/// shape, the box is the point at its centre.
+/// Returns the bounding box of an object along the axes of the frame that `frame_from_object` leads
+/// to. It is the object's centre alone if the number of dimensions does not fit the shape.
 Eigen::AlignedBox3d bounding_box(const SceneObject& object, const Pose& frame_from_object);
 
 }  // namespace morphe

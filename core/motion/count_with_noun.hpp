@@ -5,8 +5,7 @@
 
 namespace morphe {
 
-/// Returns a count with its noun: "1 plan", "2 plans", "0 plans". The plural is the singular with
-/// an s, unless `many` is given.
+/// Returns "1 plan", "2 plans", "0 plans": `many`, if given, is the plural, else `one` and an s.
 template <class Integer>
 std::string count_with_noun(Integer count, std::string_view one, std::string_view many = "") {
   std::string text = std::to_string(count) + " ";

@@ -18,11 +18,11 @@ struct MarkerStream {
   Array2D<Vec3> position;          ///< [N, K] [m], NaN = not seen
 };
 
-/// A stream of tracked bodies: `sensors` (Liberty: shoulder, elbow, wrist) or a `skeleton`. Once
-/// the names of the recording are mapped to Morphe's, the joints of the arm in a skeleton are
-/// called right_shoulder, right_elbow, right_wrist, right_index_mcp, _pip, _dip, _tip (thumb: _cmc,
-/// _mcp, _ip, _tip), and likewise left_…. right_hand and left_hand have their origin at the wrist
-/// and the orientation of HumanMotion's hand frame.
+/// A stream of tracked bodies: sensors on the arm, or the joints of a skeleton. Once the names of
+/// the recording are mapped to Morphe's, a skeleton's joints are called right_shoulder,
+/// right_elbow, right_wrist, right_index_mcp, right_index_pip, right_index_dip, right_index_tip,
+/// right_thumb_cmc, …_mcp, …_ip, …_tip, and likewise left_…. The bodies right_hand and left_hand
+/// have their origin at the wrist and the orientation of HumanMotion's hand frame.
 struct BodyStream {
   std::vector<std::string> names;    ///< [S]
   std::vector<std::string> parents;  ///< [S] skeleton only, "" = root
@@ -30,8 +30,7 @@ struct BodyStream {
   Array2D<Vec3> position;            ///< [N, S] [m]
   Array2D<Quat> orientation;         ///< [N, S]
   Array2D<double> confidence = {};   ///< [N, S] 0 to 1 as given by the tracker, or no rows
-  /// True if the motion was reconstructed; it is then not filtered.
-  bool reconstructed = false;
+  bool reconstructed = false;  ///< true if the motion was reconstructed; it is then not filtered
 };
 
 /// A stream of joint angles.
@@ -60,15 +59,13 @@ struct HandStream {
 /// All streams that were recorded at the same time, each with its own sampling rate.
 struct Streams {
   std::optional<MarkerStream> markers;
-  std::optional<BodyStream> sensors;
-  std::optional<BodyStream> skeleton;
+  std::optional<BodyStream> sensors, skeleton;
   std::optional<AngleStream> arm_angles;
   std::optional<HandStream> hand;
 };
 
-/// The pose of each tracked sensor relative to the body: the joint centre that it represents and
-/// the axes of its segment (for the wrist, those of HumanMotion's hand frame), in the sensor's
-/// frame.
+/// The place of each tracked sensor on the body, in the sensor's frame: the joint centre that it
+/// stands for, and the axes of its body segment. The wrist's are those of HumanMotion's hand frame.
 struct SensorOffsets {
   std::vector<std::string> sensors;       ///< [S]
   std::vector<Vec3> joint_in_sensor;      ///< [S] [m]
@@ -81,21 +78,18 @@ struct Label {
   PhaseKind phase = PhaseKind::rest;
 };
 
-/// A recording of one person's arm and hand. The importer transforms it into the world frame: X to
-/// the subject's right, Y forward, Z up.
+/// A recording of a person's arm and hand in the world: X to the person's right, Y forward, Z up.
 struct Demonstration {
   std::string name, subject, task;
   Side hand = Side::right;
   std::string source, licence;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
   Streams streams;
-  Streams calibration;  ///< static trial or calibration pose
-  /// From the calibration pose; if absent, sensors are at the joints.
-  std::optional<SensorOffsets> sensor_offsets;
+  Streams calibration;                          ///< static trial or calibration pose
+  std::optional<SensorOffsets> sensor_offsets;  ///< if absent, sensors are at the joints
   std::vector<SceneObject> objects;
-  std::vector<Label> labels;  ///< ground truth, if the dataset has it
-  /// Sentences that say which values the importer assumed, repaired or omitted.
-  std::vector<std::string> import_notes;
+  std::vector<Label> labels;              ///< ground truth, if the dataset has it
+  std::vector<std::string> import_notes;  ///< on values that were assumed, repaired or omitted
 };
 
 }  // namespace morphe

@@ -35,9 +35,8 @@ constexpr std::string_view name_of(E value) {
 template <NamedEnum E>
 constexpr std::optional<E> enum_from_name(std::string_view name) {
   constexpr auto names = names_of(E{});
-  for (std::size_t k = 0; k < names.size(); ++k) {
+  for (std::size_t k = 0; k < names.size(); ++k)
     if (names[k] == name) return static_cast<E>(k);
-  }
   return std::nullopt;
 }
 

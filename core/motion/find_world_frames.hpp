@@ -8,12 +8,11 @@
 
 namespace morphe {
 
-/// Returns the pose of the centre of a box's top face, with the axes of the box, or nullopt if the
-/// object is not a box.
+/// Returns the pose of a box's top face at a time: its centre, the box's axes; nullopt if no box.
 std::optional<Pose> box_top_pose(const SceneObject& box, double time_s);
 
-/// Computes the reference frames of a scene given in the base frame, from its object "table" and
-/// the object named by `movement.target`, both at the begin of the movement.
+/// Computes the frames at the begin of a movement, from a scene in the base frame: the table is its
+/// object "table", the target its object `movement.target`; frames of missing objects are NaN.
 WorldFrames find_world_frames(const Scene& scene, const Movement& movement,
                               const Pose& base_from_world, const Vec3& shoulder_in_base);
 

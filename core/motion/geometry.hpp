@@ -27,13 +27,10 @@ static_assert(EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED == 0 &
               "compile with -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=0, as Morphe "
               "was, and Eigen's other defaults; CMake's target Morphe::morphe does");
 
-/// Positive infinity.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-/// Radians per degree [rad].
 inline constexpr double kRadPerDegree = std::numbers::pi / 180;
-/// Millimetres per metre.
 inline constexpr double kMillimetresPerMetre = 1e3;
-inline constexpr double kGravity_m_s2 = 9.81;  ///< acceleration of free fall [m/s^2]
+inline constexpr double kGravity_m_s2 = 9.81;
 
 /// The value of quantities that were not observed, in memory and in files: NaN.
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();

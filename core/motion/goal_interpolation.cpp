@@ -6,7 +6,7 @@ namespace morphe {
 
 FrameInterpolation frame_interpolation(const Goals& goals, double time_s) {
   const auto next = std::ranges::lower_bound(goals.time, time_s);
-  const auto after = static_cast<std::size_t>(next - goals.time.begin());
+  const std::size_t after = next - goals.time.begin();
   if (after == goals.frames()) return {after - 1, after - 1, 0};
   if (after == 0 || *next == time_s) return {after, after, 0};
   const double before_s = goals.time[after - 1];
@@ -14,30 +14,29 @@ FrameInterpolation frame_interpolation(const Goals& goals, double time_s) {
 }
 
 Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s) {
-  const FrameInterpolation at = frame_interpolation(goals, time_s);
-  return (1 - at.weight) * goals.tip_position(at.before_frame, tip) +
-         at.weight * goals.tip_position(at.after_frame, tip);
+  const auto [before, after, weight] = frame_interpolation(goals, time_s);
+  return (1 - weight) * goals.tip_position(before, tip) + weight * goals.tip_position(after, tip);
 }
 
 double pad_share_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.tip_to_pad_share.rows == 0) return 0;
-  const FrameInterpolation at = frame_interpolation(goals, time_s);
-  return (1 - at.weight) * goals.tip_to_pad_share(at.before_frame, tip) +
-         at.weight * goals.tip_to_pad_share(at.after_frame, tip);
+  const auto [before, after, weight] = frame_interpolation(goals, time_s);
+  return (1 - weight) * goals.tip_to_pad_share(before, tip) +
+         weight * goals.tip_to_pad_share(after, tip);
 }
 
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.tip_orientation.rows == 0) return unknown_rotation();
-  const FrameInterpolation at = frame_interpolation(goals, time_s);
-  const Quat& before = goals.tip_orientation(at.before_frame, tip);
-  const Quat& after = goals.tip_orientation(at.after_frame, tip);
+  const FrameInterpolation frames = frame_interpolation(goals, time_s);
+  const Quat& before = goals.tip_orientation(frames.before_frame, tip);
+  const Quat& after = goals.tip_orientation(frames.after_frame, tip);
   if (!is_known(before) || !is_known(after)) return unknown_rotation();
-  return before.slerp(at.weight, after);
+  return before.slerp(frames.weight, after);
 }
 
-Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& at) {
+Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& pair) {
   if (points.empty()) return unknown_point();
-  return (1 - at.weight) * points[at.before_frame] + at.weight * points[at.after_frame];
+  return (1 - pair.weight) * points[pair.before_frame] + pair.weight * points[pair.after_frame];
 }
 
 GoalCount count_goals(const Goals& goals) {

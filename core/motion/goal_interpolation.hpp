@@ -6,9 +6,8 @@
 
 namespace morphe {
 
-/// The functions below interpolate goals between frames: linearly (slerp for orientations),
-/// constant before the first and after the last frame, NaN if one of the two frames has no goal.
-/// Goals must have at least one frame.
+/// The functions below interpolate goals, of at least one frame, linearly (orientations by slerp).
+/// They are constant beyond the ends, and NaN next to a frame without the goal.
 
 /// The two frames around a demonstration time, and the weight of the later one.
 struct FrameInterpolation {
@@ -24,9 +23,8 @@ Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
 double pad_share_at(const Goals& goals, std::size_t tip, double time_s);
 /// Returns the orientation goal of a tip, or NaN if the goals have no orientations.
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
-/// Interpolates one of the goals' series of points, such as elbow_position; returns NaN if it is
-/// empty.
-Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& at);
+/// Interpolates one of the goals' series of points, such as elbow_position; NaN if it is empty.
+Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& pair);
 
 /// The number of the person's fingertip goals in all frames, and the number of those out of reach.
 struct GoalCount {

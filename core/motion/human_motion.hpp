@@ -9,20 +9,16 @@
 
 namespace morphe {
 
-/// Number of digits: thumb, index, middle, ring, little.
+/// Number, indices and names of the digits.
 inline constexpr std::size_t kFingerCount = 5;
-/// Indices of the digits.
 inline constexpr std::size_t kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
-/// Names of the digits.
 inline constexpr const char* kFingerNames[kFingerCount] = {"thumb", "index", "middle", "ring",
                                                            "little"};
 
-/// Names of the human arm's angles. All are zero if the arm hangs straight down with the palm to
-/// the thigh; see core/human/arm.
+/// Names of the human arm's angles, all zero if it hangs straight down, palm to the thigh.
 inline constexpr const char* kArmAngleNames[] = {
     "shoulder_flexion",  "shoulder_abduction", "shoulder_internal_rotation", "elbow_flexion",
     "forearm_pronation", "wrist_flexion",      "wrist_radial_deviation"};
-/// Number of arm angles.
 inline constexpr std::size_t kArmAngleCount = std::size(kArmAngleNames);
 /// Names of the human hand's angles. All are zero for the flat hand; see core/human/hand.
 inline constexpr const char* kHandAngleNames[] = {
@@ -30,7 +26,6 @@ inline constexpr const char* kHandAngleNames[] = {
     "index_mcp",      "index_pip",        "index_dip",      "middle_abduction", "middle_mcp",
     "middle_pip",     "middle_dip",       "ring_abduction", "ring_mcp",         "ring_pip",
     "ring_dip",       "little_abduction", "little_mcp",     "little_pip",       "little_dip"};
-/// Number of hand angles.
 inline constexpr std::size_t kHandAngleCount = std::size(kHandAngleNames);
 
 /// The reconstruction residual of one quantity: the disagreement of redundant measurements.
@@ -52,8 +47,7 @@ struct HumanMotion {
   JointRows arm_angles;                      ///< [N, 7] kArmAngleNames [rad], or no rows
   JointRows hand_angles;                     ///< [N, 20] kHandAngleNames [rad], or no rows
   HandBones bones;                           ///< of the hand, if it was observed completely
-  /// Factor by which the distances of the fingers were scaled for the robot's hand.
-  double hand_scale = 1;
+  double hand_scale = 1;               ///< factor by which the fingers were scaled to the robot
   std::vector<std::string> estimated;  ///< names of points that were estimated, not recorded
   std::vector<Residual> residuals;
   std::vector<std::string> reconstruction_notes;  ///< sentences printed by `morphe inspect`

@@ -5,13 +5,13 @@
 namespace morphe {
 
 PhaseKind phase_at(const std::vector<Phase>& phases, double time_s) {
-  const Phase* best = nullptr;
+  const Phase* shortest = nullptr;
   for (const Phase& phase : phases) {
     if (time_s < phase.begin_s || time_s > phase.end_s) continue;
-    const bool shorter = best && phase.end_s - phase.begin_s < best->end_s - best->begin_s;
-    if (!best || shorter) best = &phase;
+    if (!shortest || phase.end_s - phase.begin_s < shortest->end_s - shortest->begin_s)
+      shortest = &phase;
   }
-  return best ? best->kind : PhaseKind::rest;
+  return shortest ? shortest->kind : PhaseKind::rest;
 }
 
 bool is_grasping_at(const Movement& movement, double time_s) {
@@ -23,9 +23,8 @@ bool is_grasping_at(const Movement& movement, double time_s) {
 
 const Phase* last_phase(const Movement& movement, PhaseKind kind) {
   const Phase* found = nullptr;
-  for (const Phase& phase : movement.phases) {
+  for (const Phase& phase : movement.phases)
     if (phase.kind == kind) found = &phase;
-  }
   return found;
 }
 

@@ -27,23 +27,19 @@ struct Phase {
   double begin_confidence = 1, end_confidence = 1;  ///< confidence of each boundary, 0 … 1
 };
 
-/// A reach-to-grasp movement within a demonstration. Its phases follow each other without overlap,
-/// except that `preshape` lies within `reach`.
+/// A reach-to-grasp. Its phases do not overlap, except that `preshape` lies within `reach`.
 struct Movement {
   int index = 0;                  ///< index within the demonstration, from 0
   double begin_s = 0, end_s = 0;  ///< the interval that is planned
   std::vector<Phase> phases;      ///< all phases that were found, not clipped to the interval
-  /// Name of the object that is grasped, "" if there is no such object.
-  std::string target;
+  std::string target;  ///< name of the object that is grasped, "" if there is no such object
 };
 
-/// Returns the shortest phase that contains a time, including its boundaries, or rest if no phase
-/// does.
+/// Returns the kind of the shortest phase that contains a time, boundaries included, else rest.
 MORPHE_EXPORT PhaseKind phase_at(const std::vector<Phase>& phases, double time_s);
 
-/// Returns true if the hand grasps or holds at a time, including the boundaries of these phases;
-/// the tighter tolerance then applies to the goals. The verifier of plan files (stages/verify)
-/// implements the same rule independently.
+/// Returns true if a time is in a grasp or hold phase, boundaries included; tips must then keep
+/// Tolerances::tracking_tolerance_grasp. stages/verify implements the same rule independently.
 MORPHE_EXPORT bool is_grasping_at(const Movement& movement, double time_s);
 
 /// Returns the last phase of a kind, or null if there is no such phase.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/motion/enum_names.hpp"
+#include "core/motion/finding.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
@@ -26,28 +27,21 @@ namespace morphe {
 struct Goals {
   std::vector<double> time;    ///< [F] demonstration time [s]
   Array2D<Vec3> tip_position;  ///< [F, m]
-  /// [F, m] point of the fingertip link to which the position goal applies: 0 is the tip, 1 the
-  /// centre of its pad (robot/pads.hpp), values between them interpolate linearly. Without rows,
-  /// all goals apply to the tips.
+  /// [F, m] point of the fingertip link to which the position goal applies: from 0, the tip, to 1,
+  /// the centre of its pad (robot/pads.hpp), linearly. Without rows, all goals apply to the tips.
   Array2D<double> tip_to_pad_share;
-  /// [m] 1 if the goals of this tip close a finger that the person's recording does not show; may
-  /// be empty.
-  std::vector<std::uint8_t> auto_closed;
-  Array2D<Quat> tip_orientation;    ///< [F, m]
-  Array2D<std::uint8_t> reachable;  ///< [F, m] 1 or 0; meaningless without a goal
+  std::vector<std::uint8_t> auto_closed;  ///< [m] 1: the goals close an unrecorded finger; or empty
+  Array2D<Quat> tip_orientation;          ///< [F, m]
+  Array2D<std::uint8_t> reachable;        ///< [F, m] 1 or 0; meaningless without a goal
   std::vector<Vec3> shoulder_position, elbow_position, wrist_position;  ///< [F]
   std::vector<Quat> wrist_orientation;                                  ///< [F] base_from_hand
   Array2D<Vec3> finger_joint_position;                                  ///< [F, 5]
   std::vector<std::string> estimated;  ///< names of arm points that were estimated, not recorded
-  /// Translation of the human arm into the common base frame [m].
-  Vec3 common_base_offset = Vec3::Zero();
+  Vec3 common_base_offset = Vec3::Zero();  ///< translation of the human arm into that frame [m]
   /// Displacement of the robot's base from its configured position, in the world's axes [m]; absent
   /// if the base is not optimised. All goals are given in the frame of the displaced base.
   std::optional<Vec3> base_offset;
-
-  /// Scale factor applied to the human's hand (section `hand`). It is not stored, because it is
-  /// already applied to the goals.
-  double hand_scale = 1;
+  double hand_scale = 1;  ///< HumanMotion::hand_scale, which the goals include; not stored
 
   /// Returns the number of frames.
   std::size_t frames() const { return time.size(); }
@@ -64,41 +58,14 @@ constexpr std::array<std::string_view, 4> names_of(FrameStatus) {
 struct MappingResult {
   JointRows position;   ///< [F, n] [rad]
   JointRows tip_error;  ///< [F, m] [m], NaN = no goal
-  /// [F, m] [m] smallest errors that the tips can attain at the same time for goals that are out of
-  /// reach, NaN elsewhere; not stored.
+  /// [F, m] [m] least errors attainable together for goals out of reach, else NaN; not stored.
   JointRows least_attainable_error;
   JointRows tip_orientation_error;  ///< [F, m] full angle [rad], NaN = no goal
   std::vector<double> objective;    ///< [F] value of the frame's objective
   JointRows humanlikeness;          ///< [F, 3] A (sum) [m^2], B [m^2], C [m^3]
   std::vector<FrameStatus> status;  ///< [F]
-};
-
-/// The cause of a finding: the robot collides with itself, an object or the table; a joint exceeds
-/// a limit or jumps; a tip is too far from its goal.
-enum class Cause : std::uint8_t {
-  jump,
-  joint_limit,
-  object_collision,
-  self_collision,
-  table,
-  tracking
-};
-/// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 6> names_of(Cause) {
-  return {"jump", "joint_limit", "object_collision", "self_collision", "table", "tracking"};
-}
-/// Returns true if the cause is a collision with the robot itself, an object or the table.
-constexpr bool is_collision(Cause cause) {
-  return cause == Cause::self_collision || cause == Cause::object_collision ||
-         cause == Cause::table;
-}
-
-/// An interval of a path that cannot be executed.
-struct Finding {
-  double begin_s = 0, end_s = 0;  ///< demonstration time
-  Cause cause = Cause::jump;
-  std::string subject, other_body;  ///< two capsules, or capsule and object; joint; tip
-  double excess = 0;                ///< amount by which the limit is exceeded [m or rad], > 0
+  /// RMS distance from the natural posture [rad]; stored with the certificate.
+  double natural_posture_error = kUnknown;
 };
 
 /// The step that computed a sample: mapping, re-solving by inverse kinematics, or path planning.
@@ -115,16 +82,14 @@ struct JointPath {
   std::vector<double> demonstration_time;  ///< [W] [s], non-decreasing
 };
 
-/// A trajectory. Between two samples it is the quintic polynomial that interpolates position,
-/// velocity and acceleration at both.
+/// A trajectory: between two samples the quintic that meets position, velocity and acceleration.
 struct Trajectory {
   std::vector<double> time;                    ///< [T] from 0, strictly increasing [s]
   JointRows position, velocity, acceleration;  ///< [T, n]
   std::vector<double> demonstration_time;      ///< [T]
   std::vector<PhaseKind> phase;                ///< [T]
   std::vector<SampleOrigin> origin;            ///< [T]
-  /// [T] [m], minimum over pairs that may not touch; NaN if there is no such pair.
-  std::vector<double> clearance;
+  std::vector<double> clearance;  ///< [T] [m] least of pairs that may not touch, NaN without a pair
 
   /// Returns the number of samples.
   std::size_t samples() const { return time.size(); }
@@ -142,33 +107,28 @@ struct PadContact {
   std::string tip;   ///< name of the robot's tip
   std::string link;  ///< name of the capsule in contact
   ContactOrigin origin = ContactOrigin::demonstrated;
-  Vec3 desired_point = unknown_point();  ///< surface point that the pad should touch [m]
-  Vec3 point = unknown_point();          ///< surface point nearest to the pad [m]
-  Vec3 normal = unknown_point();      ///< unit normal of the surface at `point`, pointing inwards
-  double signed_distance = kUnknown;  ///< between pad and surface, < 0: penetration [m]
-  double pad_angle = kUnknown;        ///< between the pad's normal and the surface normal [rad]
-  double confidence = 1;              ///< that the person touched the target at this point, 0 to 1
-  double normal_force = kUnknown;     ///< normal force of the squeeze [N]
-  Vec3 friction_force =
-      unknown_point();  ///< tangential force of the squeeze, in the target's frame [N]
+  Vec3 desired_point = unknown_point();   ///< surface point that the pad should touch [m]
+  Vec3 point = unknown_point();           ///< surface point nearest to the pad [m]
+  Vec3 normal = unknown_point();          ///< unit normal of the surface at `point`, inwards
+  double signed_distance = kUnknown;      ///< between pad and surface, < 0: penetration [m]
+  double pad_angle = kUnknown;            ///< between the pad's normal and the surface's [rad]
+  double confidence = 1;                  ///< that the person touched the target there, 0 to 1
+  double normal_force = kUnknown;         ///< of the squeeze [N]
+  Vec3 friction_force = unknown_point();  ///< of the squeeze, tangential, in the target's frame [N]
 };
 
 /// The parameters and results of the grasp quality computation (docs/grasp_quality.md).
 struct GraspQuality {
-  double friction_coefficient = kUnknown;   ///< coefficient
-  double torsional_friction = kUnknown;     ///< torsional friction [m]
+  double friction_coefficient = kUnknown;
+  double torsional_friction = kUnknown;     ///< [m]
   double mass = kUnknown;                   ///< [kg]
-  Vec3 centre_of_mass = unknown_point();    ///< of mass, in the target's frame [m]
+  Vec3 centre_of_mass = unknown_point();    ///< in the target's frame [m]
   double characteristic_length = kUnknown;  ///< [m]
-  /// Certified bounds of the Ferrari-Canny L1 quality, signed: negative values are minus the
-  /// closure residual.
+  /// Certified bounds of the signed Ferrari-Canny L1 quality; < 0: minus the closure residual.
   double epsilon_lower = kUnknown, epsilon_upper = kUnknown;
-  /// Sufficient normal force per contact, for the worst direction of gravity [N].
-  double required_force_worst = kUnknown;
-  /// Sufficient normal force per contact, for the actual direction of gravity [N].
-  double required_force_gravity = kUnknown;
-  double available_force =
-      kUnknown;  ///< smallest of the forces with which the fingers can press [N]
+  /// Sufficient normal force per contact, for the worst and the actual direction of gravity [N].
+  double required_force_worst = kUnknown, required_force_gravity = kUnknown;
+  double available_force = kUnknown;  ///< smallest force with which a finger can press [N]
 };
 
 /// Length of the palm's path before the grasp that defines the approach direction [m].
@@ -176,22 +136,17 @@ constexpr double kApproachLength_m = 0.05;
 
 /// The grasp relative to the object, such that it can be executed on an object at another pose.
 struct Grasp {
-  /// Trajectory sample (path sample if there is no trajectory), -1 if there is no grasp.
-  int sample = -1;
-  Pose base_from_object = Pose::Identity();
-  Pose object_from_palm = Pose::Identity();
+  int sample = -1;  ///< in the trajectory, or in the path if it is empty; -1: no grasp
+  Pose base_from_object = Pose::Identity(), object_from_palm = Pose::Identity();
   std::vector<Vec3> tips_in_object;  ///< [m] all tips of the robot
-  /// Unit direction in the target's frame along which the palm approached over the last
-  /// kApproachLength_m; NaN if the palm was never that far away.
+  /// Unit direction of the palm's approach over the last kApproachLength_m, in the target's frame;
+  /// NaN if the palm was never that far away.
   Vec3 approach_direction = unknown_point();
-  JointVector grasp_posture;  ///< all joints at the grasp [n]
-  /// All joints at the sample at which the hand is widest open [n].
-  JointVector pregrasp_posture;
+  JointVector grasp_posture;     ///< all joints at the grasp [n]
+  JointVector pregrasp_posture;  ///< all joints at the sample at which the hand is widest open [n]
   std::vector<PadContact> contacts;  ///< at `sample`; empty unless contacts are requested
   GraspQuality quality;
-  /// Joint torques of the squeeze, and the posture to command to a servo of the configured
-  /// stiffness to produce them. Both are separate from the trajectory and have size [n], or are
-  /// empty.
+  /// [n] or empty: joint torques of the squeeze, and the posture that makes a servo produce them.
   JointVector grasp_torque, servo_target;
 };
 
@@ -199,61 +154,45 @@ struct Grasp {
 struct Certificate {
   double joint_limit_margin = kUnknown;  ///< smallest distance to a joint limit [rad]
   double velocity_ratio = kUnknown, acceleration_ratio = kUnknown, jerk_ratio = kUnknown;
-  /// Certified lower bound of the motion's minimum clearance, within 0.01 mm [m]; NaN if there is
-  /// no pair to check.
-  double clearance = kUnknown;
+  double clearance = kUnknown;  ///< lower bound, to 0.01 mm [m]; NaN if there is no pair to check
   double tip_error_max = kUnknown, tip_error_mean = kUnknown;  ///< over all goals [m]
-  /// Largest in grasp and hold [m], NaN if there is no such phase.
-  double tip_error_grasp = kUnknown;
-  /// Full angle [rad], NaN if there are no orientation goals.
-  double tip_orientation_error_max = kUnknown;
+  double tip_error_grasp = kUnknown;            ///< largest in grasp and hold [m], NaN without them
+  double tip_orientation_error_max = kUnknown;  ///< full angle [rad], NaN without such goals
   double upper_arm_error_mean = kUnknown, upper_arm_error_max = kUnknown;  ///< direction [rad]
   double duration_ratio = kUnknown;  ///< duration / human duration
   double humanlikeness_mapped = kUnknown, humanlikeness_final = kUnknown;  ///< mean A [m^2]
-  /// RMS over joints without goals, of the mapped path [rad].
-  double natural_posture_error = kUnknown;
-  /// Smoothness of the mean speed of the tips with goals, for robot and human
-  /// (stages/certify/smoothness.hpp).
+  /// Smoothness of the mean speed of the tips with goals (stages/certify/smoothness.hpp).
   double sparc_robot = kUnknown, sparc_human = kUnknown;
   double log_dimensionless_jerk_robot = kUnknown, log_dimensionless_jerk_human = kUnknown;
-  bool repaired = false;
-  /// The robot's links that were not checked for collisions.
-  std::vector<std::string> unchecked_links;
+  std::vector<std::string> unchecked_links;  ///< links not checked for collisions
 };
 
 /// The tolerances that the plan must meet; `verify` reads them from the file.
 struct Tolerances {
-  double required_clearance = 0.001;  ///< required clearance [m]
-  double max_penetration = 0.005;     ///< allowed penetration of the target [m]
-  /// Allowed for links without pads; max_penetration if absent [m].
-  std::optional<double> max_link_penetration;
-  double tracking_tolerance_grasp =
-      0.005;                          ///< distance of tips from their goals in grasp and hold [m]
-  double tracking_tolerance = 0.020;  ///< likewise in other phases [m]
-  /// A plan is approximate if more goals than this share are out of reach, or a tip is farther from
-  /// its goal than `max_tip_error`.
-  double max_unreachable_share = 0.5;  ///< of all fingertip goals, below 1
-  double max_tip_error = 0.05;         ///< [m]
+  double required_clearance = 0.001;           ///< [m]
+  double max_penetration = 0.005;              ///< into the target [m]
+  std::optional<double> max_link_penetration;  ///< of links without pads; absent: as above
+  double tracking_tolerance_grasp = 0.005;     ///< of tips to their goals in grasp and hold [m]
+  double tracking_tolerance = 0.020;           ///< likewise in other phases [m]
+  /// A plan is approximate if a larger share of its fingertip goals is out of reach, or if a tip is
+  /// farther from its goal [m]. The share must be below 1.
+  double max_unreachable_share = 0.5, max_tip_error = 0.05;
 };
 
-/// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it can be
-/// executed, but comes only as close to its goals as possible. `infeasible`: there is no
-/// trajectory; the plan has a reason.
+/// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it only comes
+/// as close to them as possible. `infeasible`: there is no trajectory; the plan has a reason.
 enum class Status : std::uint8_t { executable, approximate, infeasible };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 3> names_of(Status) {
   return {"executable", "approximate", "infeasible"};
 }
 
-/// A movement and all results of planning it. There is one for every movement of every
-/// demonstration.
+/// A movement of a demonstration and all results of planning it.
 struct Plan {
-  std::string demonstration;
-  std::string subject, task;
+  std::string demonstration, subject, task;
   Side hand = Side::right;
   Movement movement;
-  /// Reason why there is no trajectory, or Reason's first value if there is one.
-  Reason reason = Reason::unplanned;
+  Reason reason = Reason::unplanned;  ///< why there is no trajectory; Reason::none if there is one
   /// True if the trajectory follows the person's movement, but too many goals are out of reach, or
   /// tips too far from their goals, to count as the same task (Tolerances).
   bool approximate = false;
@@ -263,10 +202,10 @@ struct Plan {
   Scene scene;  ///< in the robot's base frame
   WorldFrames reference_frames;
   MappingResult mapped;
-  std::vector<Finding> findings;  ///< of the mapped path, including those that repair removed
-  /// In the order of execution; empty if the mapped path had no finding.
-  std::vector<RepairStep> repair;
-  std::vector<Finding> remaining_findings;  ///< findings of `path`, which repair could not remove
+  std::vector<Finding> findings;   ///< of the mapped path, including those that repair removed
+  std::vector<RepairStep> repair;  ///< in the order of execution; empty without a finding
+  bool repaired = false;  ///< true if `path` is not the mapped one; stored with the certificate
+  std::vector<Finding> remaining_findings;  ///< of `path`, which repair could not remove
   JointPath path;
   Grasp grasp;
   Trajectory trajectory;  ///< empty if infeasible

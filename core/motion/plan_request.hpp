@@ -10,28 +10,26 @@
 namespace morphe {
 
 /// The requirements on the plans of a file, according to the file's own config and inputs. The
-/// verifier needs them independently of how they are read (planning::asked_of reads them).
+/// verifier needs them independently of how they are read (planning::plan_requirements reads them).
 struct PlanRequest {
   RobotModel robot;  ///< as described by the stored inputs
   std::string config_sha256;
   Tolerances tolerances;
   double goal_step_s = 0.01;  ///< time step between the frames of the goals
   double limit_scaling = 1;   ///< factor on the limits of velocity, acceleration and jerk
-  /// The last phase that is planned; absent for parts of movements, or recordings as a whole.
+  /// The last phase that is planned; absent if parts of movements or whole recordings are planned.
   std::optional<PhaseKind> plan_until;
   std::string carrier_frame;  ///< frame to which the target is attached, "" if it moves as recorded
 
-  /// The posture from which the approach starts and at which the retreat ends; absent if neither is
-  /// requested.
+  /// The posture at which the approach starts and the retreat ends; absent without an approach.
   struct Home {
     JointVector posture;       ///< [n]
-    double limit_scaling = 1;  ///< in addition to the factor for the motion
+    double limit_scaling = 1;  ///< multiplied by the factor for the motion
     bool with_retreat = true;  ///< true if a retreat is requested too
   };
   std::optional<Home> home;
 
-  /// The frame in which the pose of a body is given (WorldFrames); `unknown` if only the body's
-  /// name is known.
+  /// The frame of a body's pose (WorldFrames); `unknown` if only the body's name is known.
   enum class ReferenceFrame { unknown, world, table, target, shoulder, base };
   /// A fixed body of the config or its scene file, with its pose.
   struct Body {

@@ -32,25 +32,12 @@ enum class Reason : std::uint8_t {
 };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 19> names_of(Reason) {
-  return {"",
-          "unplanned",
-          "no_movement",
-          "no_shoulder",
-          "no_goal",
-          "implausible_arm",
-          "start_in_collision",
-          "goal_in_collision",
-          "unreachable",
-          "no_path",
-          "smoothing_collision",
-          "joint_limit",
-          "jump",
-          "tracking",
-          "invalid_path",
-          "duration_too_short",
-          "no_approach",
-          "no_retreat",
-          "no_reference_frame"};
+  // clang-format off
+  return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm",
+          "start_in_collision", "goal_in_collision", "unreachable", "no_path",
+          "smoothing_collision", "joint_limit", "jump", "tracking", "invalid_path",
+          "duration_too_short", "no_approach", "no_retreat", "no_reference_frame"};
+  // clang-format on
 }
 
 }  // namespace morphe

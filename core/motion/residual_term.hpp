@@ -23,13 +23,13 @@ class ResidualInput {
   virtual Eigen::Matrix3Xd point_jacobian(int frame, const Vec3& point_in_base) const = 0;
 
  protected:
-  ResidualInput(const RobotModel& of, const JointVector& at, const std::vector<Pose>& frames,
-                const std::vector<Vec3>& goal, const Vec3& human_shoulder, const Vec3& human_elbow,
-                const Vec3& human_wrist)
-      : robot(of),
-        q(at),
+  ResidualInput(const RobotModel& model, const JointVector& position,
+                const std::vector<Pose>& frames, const std::vector<Vec3>& goals,
+                const Vec3& human_shoulder, const Vec3& human_elbow, const Vec3& human_wrist)
+      : robot(model),
+        q(position),
         base_from_frame(frames),
-        tip_goal(goal),
+        tip_goal(goals),
         shoulder(human_shoulder),
         elbow(human_elbow),
         wrist(human_wrist) {}
@@ -42,14 +42,12 @@ class ResidualInput {
 /// gradient and 2 JᵀJ as its Hessian, so J must be correct: compare it with finite differences.
 class ResidualTerm {
  public:
-  /// Returns the name under which the config refers to the term.
   virtual ~ResidualTerm() = default;
   /// Returns the name under which the config refers to the term.
   virtual std::string name() const = 0;
   /// Sets r [k] and J [k, n] = d r / d q. k may differ from frame to frame and may be 0. Several
-  /// threads call this function concurrently, and the result must depend only on the posture.
-  virtual void residuals(const ResidualInput& posture, JointVector& r,
-                         JointRows& jacobian) const = 0;
+  /// threads call this function concurrently, and the result must depend only on the input.
+  virtual void residuals(const ResidualInput& input, JointVector& r, JointRows& jacobian) const = 0;
 };
 
 }  // namespace morphe

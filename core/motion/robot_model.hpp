@@ -12,12 +12,11 @@
 
 namespace morphe {
 
-/// A robot as stored in plans.h5, with all data needed for kinematics, limits and contacts. Pose of
-/// a frame: base_from_frame = base_from_parent * transform * Rotation(axis, value), or
-/// Translation(axis * value) if it is prismatic, with value = ratio * position[joint] + offset (a
-/// frame with joint = -1 is fixed and has neither factor). Parents precede their children. The unit
-/// of a joint is rad if the first of its frames is revolute, m if it is prismatic; ratio and offset
-/// convert.
+/// A robot as stored in plans.h5, with all data for kinematics, limits and contacts. The pose of a
+/// frame is base_from_frame = base_from_parent * transform * M. M is Rotation(axis, value), or
+/// Translation(axis * value) if prismatic, with value = ratio * position[joint] + offset, or the
+/// identity if joint = -1. Parents precede their children. A joint's unit is rad if the first of
+/// its frames is revolute, else m; for its other frames, ratio and offset convert it.
 struct RobotModel {
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
   /// A link frame with its parent and the joint between them.
@@ -38,11 +37,12 @@ struct RobotModel {
     double velocity = kUnbounded, acceleration = kUnbounded, jerk = kUnbounded;
   };
   /// A limit of a joint's velocity near the ends of its range, in addition to `velocity`:
-  ///   v <= max(0, sqrt(slope * (upper_end - q)) - drop),
-  ///  -v <= max(0, sqrt(slope * (q - lower_end)) - drop)   (a negative product counts as 0)
+  ///   v <= max(0, sqrt(twice_deceleration * (upper_end - q)) - velocity_offset),
+  ///  -v <= max(0, sqrt(twice_deceleration * (q - lower_end)) - velocity_offset),
+  /// in which a negative product counts as 0.
   struct BrakingCurve {
     int joint = 0;
-    double twice_deceleration = 0;        ///< twice the deceleration [rad/s^2]
+    double twice_deceleration = 0;        ///< [rad/s^2]
     double velocity_offset = 0;           ///< [rad/s]
     double lower_end = 0, upper_end = 0;  ///< [rad]
   };
@@ -52,9 +52,8 @@ struct RobotModel {
     int frame = 0;
     Pose transform = Pose::Identity();  ///< frame_from_tip
     int finger = 0;                     ///< 0 thumb … 4 little, -1 the wrist
-    /// For a hand without five fingers: the parameter (0 … 1) of the point that the tip follows on
-    /// the curve through the human's index, middle, ring and little tips; `finger` is the nearest
-    /// of them.
+    /// For a hand without five fingers: the parameter, 0 … 1, of the point that the tip follows on
+    /// the curve through the person's index to little tips; `finger` is the nearest of them.
     double finger_curve_share = kUnknown;
   };
   /// A joint centre of humanlikeness metric A.
@@ -72,27 +71,22 @@ struct RobotModel {
   };
 
   std::string name;
-  /// [n] actuated joints, in the order of every position array.
-  std::vector<std::string> joint_names;
+  std::vector<std::string> joint_names;      ///< [n] actuated, in the order of position arrays
   JointVector lower, upper;                  ///< [n] [rad or m]
   JointVector velocity, acceleration, jerk;  ///< [n] per s, s^2, s^3, all > 0
   std::vector<CoupledLimit> coupled_limits;
   std::vector<BrakingCurve> braking_curves;
   std::vector<Frame> frames;
   std::vector<Tip> tips;
-  /// Joint centres of metric A; the first one of the arm is the elbow.
-  std::vector<JointCentre> joint_centres;
+  std::vector<JointCentre> joint_centres;  ///< the first one of the arm is the elbow
   std::vector<Capsule> capsules;
-  /// Pairs of capsules, i < j, that are not checked for collision.
-  std::vector<std::array<int, 2>> allowed_collision_pairs;
-  /// Links with geometry but without a capsule; they are not checked for contact.
-  std::vector<std::string> unchecked_links;
-  int shoulder_frame = 0;  ///< frame whose origin is the robot's shoulder
+  std::vector<std::array<int, 2>> allowed_collision_pairs;  ///< capsules i < j, not checked
+  std::vector<std::string> unchecked_links;  ///< with geometry, but without a capsule
+  int shoulder_frame = 0;                    ///< frame whose origin is the robot's shoulder
   /// The frame that carries the hand: z to the fingers, x out of the palm, y to the thumb of a
   /// right hand, or away from the thumb of a left one.
   int palm_frame = 0;
-  /// Side of the hand; recordings of the other side are mirrored.
-  Side side = Side::right;
+  Side side = Side::right;  ///< side of the hand; recordings of the other side are mirrored
 
   /// Returns the number of actuated joints.
   std::size_t joints() const { return joint_names.size(); }
@@ -100,8 +94,7 @@ struct RobotModel {
   bool has_prismatic_joint() const { return std::ranges::any_of(frames, &Frame::prismatic); }
 };
 
-/// Returns a sentence that lists the links that are not checked for contact, "" if there are no
-/// such links.
+/// Returns a sentence that lists the links that are not checked for contact, "" without any.
 MORPHE_EXPORT std::string unchecked_sentence(const std::vector<std::string>& links);
 
 }  // namespace morphe

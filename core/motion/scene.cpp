@@ -1,6 +1,7 @@
 #include "core/motion/scene.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace morphe {
 
@@ -10,19 +11,15 @@ const SceneObject* find_object(const std::vector<SceneObject>& objects, const st
 }
 
 SceneObject* find_object(std::vector<SceneObject>& objects, const std::string& name) {
-  const auto found = std::ranges::find(objects, name, &SceneObject::name);
-  return found == objects.end() ? nullptr : &*found;
+  return const_cast<SceneObject*>(find_object(std::as_const(objects), name));
 }
 
 Pose recorded_pose(const SceneObject& object, double time_s) {
-  const auto upper = std::upper_bound(object.time.begin(), object.time.end(), time_s);
-  const auto after = static_cast<std::size_t>(upper - object.time.begin());
-  if (after == 0 || object.time.size() == 1) {
-    return make_pose(object.position.front(), object.orientation.front());
-  }
-  if (after == object.time.size())
-    return make_pose(object.position.back(), object.orientation.back());
-  const std::size_t before = after - 1;
+  const auto after = std::ranges::upper_bound(object.time, time_s) - object.time.begin();
+  const auto pose = [&](auto k) { return make_pose(object.position[k], object.orientation[k]); };
+  if (after == 0 || object.time.size() == 1) return pose(0);
+  if (after == std::ssize(object.time)) return pose(after - 1);
+  const auto before = after - 1;
   const double span_s = object.time[after] - object.time[before];
   const double share = (time_s - object.time[before]) / span_s;
   return make_pose((1 - share) * object.position[before] + share * object.position[after],

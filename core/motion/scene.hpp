@@ -46,8 +46,8 @@ MORPHE_EXPORT const SceneObject* find_object(const std::vector<SceneObject>& obj
 /// Returns the first object with that name, or null if there is no such object.
 MORPHE_EXPORT SceneObject* find_object(std::vector<SceneObject>& objects, const std::string& name);
 
-/// Returns the recorded pose of an object at a demonstration time: linear in position, slerp in
-/// orientation, constant before the first and after the last sample. Attachment is not considered.
+/// Returns the pose of an object at a demonstration time, from at least one sample: linear in
+/// position, slerp in orientation, constant beyond both ends. Attachment is not considered.
 MORPHE_EXPORT Pose recorded_pose(const SceneObject& object, double time_s);
 
 }  // namespace morphe

@@ -9,7 +9,7 @@
 namespace morphe {
 namespace {
 
-using IsSeen = std::function<bool(std::size_t row, std::size_t column)>;
+using IsSeen = std::function<bool(int row, int column)>;
 
 StreamReport report_stream(const std::string& name, const std::vector<double>& time,
                            const std::vector<std::string>& columns, const IsSeen& is_seen) {
@@ -21,15 +21,15 @@ StreamReport report_stream(const std::string& name, const std::vector<double>& t
   report.duration_s = time.back() - time.front();
   report.rate_hz = static_cast<double>(time.size() - 1) / report.duration_s;
   std::size_t valid_count = 0;
-  for (std::size_t column = 0; column < columns.size(); ++column) {
-    std::size_t column_valid_count = 0;
-    for (std::size_t row = 0; row < time.size(); ++row) {
+  for (int column = 0; column < std::ssize(columns); ++column) {
+    int column_valid_count = 0;
+    for (int row = 0; row < std::ssize(time); ++row) {
       if (is_seen(row, column)) {
         ++column_valid_count;
         continue;
       }
-      const std::size_t first = row;
-      while (row + 1 < time.size() && !is_seen(row + 1, column)) ++row;
+      const int first = row;
+      while (row + 1 < std::ssize(time) && !is_seen(row + 1, column)) ++row;
       ++report.gaps;
       const double length_s = time[row] - time[first] + 1 / report.rate_hz;
       if (length_s <= report.longest_gap_s) continue;
@@ -46,48 +46,32 @@ StreamReport report_stream(const std::string& name, const std::vector<double>& t
 
 StreamReport report_points(const std::string& name, const std::vector<double>& time,
                            const std::vector<std::string>& columns, const Array2D<Vec3>& points) {
-  return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
-    return is_known(points(row, column));
-  });
+  return report_stream(name, time, columns,
+                       [&](int row, int column) { return is_known(points(row, column)); });
 }
 
 StreamReport report_angles(const std::string& name, const std::vector<double>& time,
                            const std::vector<std::string>& columns, const JointRows& angles) {
-  return report_stream(name, time, columns, [&](std::size_t row, std::size_t column) {
-    return std::isfinite(angles(row, column));
-  });
+  return report_stream(name, time, columns,
+                       [&](int row, int column) { return std::isfinite(angles(row, column)); });
 }
 
 const char* display_name(HandKind kind) {
-  switch (kind) {
-    case HandKind::glove:
-      return "glove";
-    case HandKind::joint_angles:
-      return "hand angles";
-    case HandKind::keypoints:
-      return "keypoints";
-    case HandKind::fingertips:
-      return "fingertips";
-  }
-  return "";
+  return kind == HandKind::joint_angles ? "hand angles" : name_of(kind).data();
 }
 
 }  // namespace
 
 std::vector<StreamReport> report_streams(const Streams& streams) {
   std::vector<StreamReport> reports;
-  if (const auto& s = streams.markers) {
+  if (const auto& s = streams.markers)
     reports.push_back(report_points("markers", s->time, s->names, s->position));
-  }
-  if (const auto& s = streams.sensors) {
+  if (const auto& s = streams.sensors)
     reports.push_back(report_points("sensors", s->time, s->names, s->position));
-  }
-  if (const auto& s = streams.skeleton) {
+  if (const auto& s = streams.skeleton)
     reports.push_back(report_points("skeleton", s->time, s->names, s->position));
-  }
-  if (const auto& s = streams.arm_angles) {
+  if (const auto& s = streams.arm_angles)
     reports.push_back(report_angles("arm_angles", s->time, s->joints, s->angles));
-  }
   if (const auto& s = streams.hand) {
     if (!s->names.empty()) {
       reports.push_back(report_angles(display_name(s->kind), s->time, s->names, s->angles));

@@ -9,12 +9,12 @@
 
 namespace morphe {
 
-/// Statistics of one recorded stream. A gap is a run of samples, possibly at an end of the stream,
-/// in which one of its columns (a marker, a body, a joint) was not observed.
+/// Statistics of one recorded stream. A gap is a run of samples, also at an end of the stream, in
+/// which one of its columns (a marker, a body, a joint) was not observed.
 struct StreamReport {
   std::string name;
   double begin_s = 0, duration_s = 0, rate_hz = 0;
-  double valid_share = 0;  ///< share of its values that are present
+  double valid_share = 0;  ///< share of all values that were observed
   std::size_t columns = 0, gaps = 0;
   double longest_gap_s = 0;
   std::string longest_gap_column;          ///< the column, "" if there is no gap

@@ -6,8 +6,7 @@
 
 namespace morphe {
 
-/// Returns the version of the program, the library, the package and the files, "0.1.0", as set in
-/// CMakeLists.txt.
+/// Returns the version of program, library, package and files, "0.1.0", as set in CMakeLists.txt.
 MORPHE_EXPORT const char* version();
 /// Returns the name of the software as written into files, "morphe 0.1.0".
 MORPHE_EXPORT const char* software();

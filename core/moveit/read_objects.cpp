@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/moveit/planning_scene.hpp"
 #include "core/moveit/read_messages.hpp"
 
@@ -11,9 +9,8 @@ Pose FixedFrames::pose_of(const config::ConfigNode& owner) const {
   const bool stated = owner.has("header") && owner["header"].has("frame_id");
   const std::string name = stated ? owner["header"]["frame_id"].text() : "";
   const auto found = base_from.find(name);
-  if (found == base_from.end()) {
+  if (found == base_from.end())
     owner["header"]["frame_id"].fail(fmt::format("there is no fixed frame '{}'", name));
-  }
   return found->second;
 }
 
@@ -31,33 +28,29 @@ FixedFrames read_frames(const config::ConfigNode& scene, const std::string& root
 }
 
 Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames) {
-  Scene read;
+  Scene result;
   const config::ConfigNode world = scene["world"];
-  if (world.has("octomap") && world["octomap"].has("octomap")) {
+  if (world.has("octomap") && world["octomap"].has("octomap"))
     refuse(world["octomap"]["octomap"], "data", "an octomap is not supported");
-  }
-  const auto taken = [&](const std::string& name) {
-    return find_object(read.objects, name) != nullptr;
-  };
+  const auto taken = [&](const std::string& name) { return find_object(result.objects, name); };
   for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();
     if (taken(id)) item["id"].fail(fmt::format("an object '{}' already exists", id));
     refuse(item, "planes", "planes are not supported");
-    if (item.has("operation") && item["operation"].text() != "0") {
+    if (item.has("operation") && item["operation"].text() != "0")
       item["operation"].fail("must be 0 (ADD)");
-    }
     Pose base_from_object = frames.pose_of(item);
     if (item.has("pose")) base_from_object = base_from_object * read_pose(item["pose"]);
-    int count = 0;
+    int count = 0;  // of shapes, and beyond it, because names that exist are skipped
     for (SceneObject& shape : read_shapes(item, base_from_object)) {
       ++count;
       do {
         shape.name = count == 1 ? id : fmt::format("{}_{}", id, count);
       } while (count > 1 && taken(shape.name) && ++count);
-      read.objects.push_back(std::move(shape));
+      result.objects.push_back(std::move(shape));
     }
   }
-  return read;
+  return result;
 }
 
 Scene read_moveit_scene(const std::filesystem::path& scene_file) {

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <string_view>
+#include <utility>
 
 #include "core/moveit/read_messages.hpp"
 
@@ -10,14 +12,12 @@ namespace {
 std::vector<double> components(const config::ConfigNode& node,
                                const std::vector<const char*>& names) {
   std::vector<double> values;
-  if (node.is_map()) {
+  if (node.is_map())
     for (const char* name : names) values.push_back(node[name].number());
-  } else {
+  else
     values = node.numbers();
-  }
-  if (values.size() != names.size()) {
+  if (values.size() != names.size())
     node.fail(fmt::format("must have {} numbers, not {}", names.size(), values.size()));
-  }
   return values;
 }
 
@@ -36,34 +36,34 @@ SceneObject still_object(Shape shape, std::vector<double> size, const Pose& pose
   return object;
 }
 
-/// The types of shape_msgs/SolidPrimitive, given by number or name.
-enum class Primitive { box, sphere, cylinder };
+/// A type of shape_msgs/SolidPrimitive, given by number or name, with its number of dimensions.
+struct Primitive {
+  Shape shape;
+  std::string_view name;
+  std::size_t dimensions;
+};
 
 Primitive primitive_of(const config::ConfigNode& node) {
-  static constexpr std::array<const char*, 3> kNames{"box", "sphere", "cylinder"};
-  const std::string word = node.text();
-  for (std::size_t k = 0; k < kNames.size(); ++k) {
-    if (word == kNames[k] || word == std::to_string(k + 1)) return static_cast<Primitive>(k);
-  }
-  node.fail(fmt::format("must be box, sphere or cylinder, not '{}'", word));
+  static constexpr std::array<Primitive, 3> kPrimitives{
+      {{Shape::box, "box", 3}, {Shape::sphere, "sphere", 1}, {Shape::cylinder, "cylinder", 2}}};
+  const std::string type = node.text();
+  for (int k = 0; k < std::ssize(kPrimitives); ++k)
+    if (type == kPrimitives[k].name || type == std::to_string(k + 1)) return kPrimitives[k];
+  node.fail(fmt::format("must be box, sphere or cylinder, not '{}'", type));
 }
 
 SceneObject read_mesh(const config::ConfigNode& node, const Pose& base_from_mesh) {
   SceneObject object = still_object(Shape::mesh, {}, base_from_mesh);
-  for (const config::ConfigNode& vertex : node["vertices"].items()) {
+  for (const config::ConfigNode& vertex : node["vertices"].items())
     object.vertices.push_back(read_vector(vertex));
-  }
-  const auto count = static_cast<std::int64_t>(object.vertices.size());
   for (const config::ConfigNode& item : node["triangles"].items()) {
-    const std::vector<config::ConfigNode> corners =
-        (item.is_map() ? item["vertex_indices"] : item).items();
+    const auto corners = (item.is_map() ? item["vertex_indices"] : item).items();
     if (corners.size() != 3) item.fail("must have 3 corners");
     Eigen::Vector3i triangle;
     for (int k = 0; k < 3; ++k) {
       const std::int64_t corner = corners[k].integer();
-      if (corner < 0 || corner >= count) {
+      if (corner < 0 || corner >= std::ssize(object.vertices))
         item.fail(fmt::format("there is no vertex {}", corner));
-      }
       triangle[k] = static_cast<int>(corner);
     }
     object.triangles.push_back(triangle);
@@ -103,45 +103,33 @@ std::vector<config::ConfigNode> items_of(const config::ConfigNode& node, const c
 void refuse(const config::ConfigNode& node, const char* key, const char* why) {
   if (!node.has(key)) return;
   const config::ConfigNode value = node[key];
-  const bool any = value.is_map()    ? !value.keys().empty()
-                   : value.is_list() ? !value.items().empty()
-                                     : !value.text().empty();
-  if (any) value.fail(why);
+  const bool has_content = value.is_map()    ? !value.keys().empty()
+                           : value.is_list() ? !value.items().empty()
+                                             : !value.text().empty();
+  if (has_content) value.fail(why);
 }
 
 SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from_shape) {
   const Primitive primitive = primitive_of(node["type"]);
   std::vector<double> size = node["dimensions"].numbers();
-  static constexpr std::array<std::size_t, 3> kCount{3, 1, 2};
-  if (size.size() != kCount[static_cast<std::size_t>(primitive)]) {
-    node["dimensions"].fail(fmt::format("must have {} numbers, not {}",
-                                        kCount[static_cast<std::size_t>(primitive)], size.size()));
-  }
-  for (const double length : size) {
+  if (size.size() != primitive.dimensions)
+    node["dimensions"].fail(
+        fmt::format("must have {} numbers, not {}", primitive.dimensions, size.size()));
+  for (const double length : size)
     if (!(length > 0)) node["dimensions"].fail(fmt::format("must be positive, not {}", length));
-  }
-  switch (primitive) {
-    case Primitive::box:
-      return still_object(Shape::box, size, base_from_shape);
-    case Primitive::sphere:
-      return still_object(Shape::sphere, size, base_from_shape);
-    case Primitive::cylinder:  // its dimensions are height, radius
-      break;
-  }
-  return still_object(Shape::cylinder, {size[1], size[0]}, base_from_shape);
+  if (primitive.shape == Shape::cylinder) std::swap(size[0], size[1]);  // height, radius in MoveIt
+  return still_object(primitive.shape, size, base_from_shape);
 }
 
 std::vector<SceneObject> read_shapes(const config::ConfigNode& owner, const Pose& base_from_owner) {
   std::vector<SceneObject> shapes;
   const auto read = [&](const char* key, const char* pose_key, auto shape_of) {
-    const std::vector<config::ConfigNode> items = items_of(owner, key),
-                                          poses = items_of(owner, pose_key);
+    const auto items = items_of(owner, key), poses = items_of(owner, pose_key);
     // MoveIt places a single shape without a pose at its owner's pose.
-    if (poses.size() != items.size() && !(items.size() == 1 && poses.empty())) {
+    if (poses.size() != items.size() && !(items.size() == 1 && poses.empty()))
       owner.fail(fmt::format("{} {} but {} {}; must be as many", items.size(), key, poses.size(),
                              pose_key));
-    }
-    for (std::size_t k = 0; k < items.size(); ++k) {
+    for (int k = 0; k < std::ssize(items); ++k) {
       const Pose owner_from_shape = poses.empty() ? Pose(Pose::Identity()) : read_pose(poses[k]);
       shapes.push_back(shape_of(items[k], base_from_owner * owner_from_shape));
     }

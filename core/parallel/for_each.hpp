@@ -14,8 +14,7 @@ void ordered_for_each(int count, int jobs, const std::function<Result(std::uint6
                       const std::function<void(const Result&)>& write) {
   OrderedParallelMap<std::uint64_t, Result> map;
   map.next = [next = 0, count]() mutable {
-    return next == count ? nullptr
-                         : std::make_unique<std::uint64_t>(static_cast<std::uint64_t>(next++));
+    return next == count ? nullptr : std::make_unique<std::uint64_t>(next++);
   };
   map.work = [&](const std::uint64_t& index) { return std::make_unique<Result>(work(index)); };
   map.write = write;

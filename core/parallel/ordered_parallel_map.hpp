@@ -6,11 +6,11 @@
 
 namespace morphe::parallel {
 
-/// An ordered parallel map with a bounded number of items in flight: `next` and `write` are never
-/// called concurrently and process the items in order; `work` runs on up to `jobs` threads. An
-/// exception in any of them ends the run and is rethrown by run().
-///   next:  returns the next item, or null at the end
-///   work:  item -> result
+/// An ordered parallel map with a bounded number of items in flight. An exception in any of the
+/// three functions ends the run and is rethrown by run().
+///   next:   returns the next item, or null at the end; one call at a time
+///   work:   item -> result; on up to `jobs` threads
+///   write:  takes the results in the order of the items; one call at a time
 template <class Item, class Result>
 struct OrderedParallelMap {
   std::function<std::unique_ptr<Item>()> next;
@@ -23,7 +23,7 @@ void run_ordered(const std::function<std::shared_ptr<void>()>& next,
                  const std::function<std::shared_ptr<void>(const std::shared_ptr<void>&)>& work,
                  const std::function<void(const std::shared_ptr<void>&)>& write, int jobs);
 
-/// Runs an ordered parallel map.
+/// Runs an ordered parallel map on `jobs` >= 1 threads.
 template <class Item, class Result>
 void run(const OrderedParallelMap<Item, Result>& map, int jobs) {
   run_ordered([&] { return std::shared_ptr<void>(std::shared_ptr<Item>(map.next())); },
@@ -37,8 +37,7 @@ void run(const OrderedParallelMap<Item, Result>& map, int jobs) {
               jobs);
 }
 
-/// Calls work(0) … work(count - 1) in any order; within a run's `work`, its idle threads help. An
-/// exception in any call is rethrown.
+/// Calls work(0) … work(count - 1) in any order, on this and idle threads; rethrows exceptions.
 void for_each_index(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace morphe::parallel

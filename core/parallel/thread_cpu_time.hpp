@@ -4,8 +4,7 @@
 
 namespace morphe::parallel {
 
-/// Returns the processor time of the calling thread [s], which depends as little as possible on the
-/// machine's other load.
+/// Returns the calling thread's processor time [s], little affected by the machine's other load.
 inline double thread_cpu_time_s() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

@@ -1,26 +1,24 @@
 #pragma once
 
-#include <mujoco/mujoco.h>
-
 #include <functional>
+#include <stdexcept>
 #include <string>
-
-#include "core/physics/model.hpp"
 
 namespace morphe::physics {
 
-/// Owns an mjModel.
-struct Model::Compiled {
-  mjModel* model = nullptr;
-  ~Compiled() {
-    if (model) mj_deleteModel(model);
-  }
+/// Returns "MuJoCo 2.2.2", or "" in a build without MuJoCo, in which a Model cannot be constructed.
+std::string engine_version();
+
+/// The engine rejected a model or failed; the message is the engine's.
+struct EngineError : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
-/// Calls MuJoCo such that its errors are thrown as EngineError. By default, MuJoCo writes
-/// MUJOCO_LOG.TXT, waits for Enter and ends the process on errors. The error handlers are global,
-/// but their messages are thread-local. `call` may be left by longjmp, so it must not have local
-/// objects with destructors. Returns the first warning of MuJoCo, "" if there is no warning.
+/// Calls MuJoCo such that its errors are thrown as EngineError. On an error MuJoCo would otherwise
+/// write MUJOCO_LOG.TXT, wait for Enter and end the process. An error outside of such a call ends
+/// the program. The handlers are global, but their messages are thread-local. An error leaves
+/// `call` by longjmp, so it must not have local objects with destructors, nor call this function.
+/// Returns the first warning of MuJoCo, or "".
 std::string call_guarded(const std::function<void()>& call);
 
 }  // namespace morphe::physics

@@ -1,46 +1,37 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
+
+#include "core/physics/engine.hpp"
+
+struct mjModel_;  // of MuJoCo
 
 namespace morphe::physics {
 
-/// Returns "MuJoCo 2.2.2", or "" in a build without MuJoCo, in which a Model cannot be constructed.
-std::string engine_version();
-
-/// The engine rejected a model or failed; the message is the engine's.
-struct EngineError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-/// A model compiled from MJCF text; it is const and shared by all threads. SI units, radians.
+/// A model compiled from MJCF text, in SI units. It is const and shared by all threads.
 class Model {
  public:
-  /// Compiles a model. Throws EngineError with the error and its line in the text, also for
-  /// problems of which the engine only warns, such as invalid numbers.
+  /// Compiles a model. Throws EngineError with the engine's message, also if the engine only warns,
+  /// as of invalid numbers.
   explicit Model(const std::string& mjcf);
-  ~Model();
-  Model(Model&&) noexcept;
 
   /// Returns the index of a named body; throws EngineError if there is no body with that name.
   int body(const std::string& name) const;
-  /// Returns the index of a named joint; throws EngineError if there is no joint with that name.
+  /// Returns the index of a named joint; throws EngineError as body() does.
   int joint(const std::string& name) const;
-  /// Returns the index of a named geom; throws EngineError if there is no geom with that name.
+  /// Returns the index of a named geom; throws EngineError as body() does.
   int geom(const std::string& name) const;
-  /// Returns the index of a named actuator; throws EngineError if there is no actuator with that
-  /// name.
+  /// Returns the index of a named actuator; throws EngineError as body() does.
   int actuator(const std::string& name) const;
   /// Returns the number of geoms.
   int geom_count() const;
 
-  struct Compiled;
-  /// Returns the compiled model.
-  const Compiled& compiled() const { return *compiled_; }
+  /// Returns MuJoCo's own model.
+  const mjModel_& compiled() const { return *compiled_; }
 
  private:
-  std::unique_ptr<Compiled> compiled_;
+  std::unique_ptr<mjModel_, void (*)(mjModel_*)> compiled_;
 };
 
 }  // namespace morphe::physics

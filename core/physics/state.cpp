@@ -1,8 +1,9 @@
 #include "core/physics/state.hpp"
 
-#include <fmt/format.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "core/physics/engine.hpp"
@@ -10,36 +11,29 @@
 namespace morphe::physics {
 namespace {
 
-const mjModel& model_of(const Model& model) { return *model.compiled().model; }
-
-Quat quaternion(const mjtNum* from) { return Quat(from[0], from[1], from[2], from[3]); }
-
 std::vector<double> copied(const mjtNum* from, int count) { return {from, from + count}; }
-
-void copy_into(const std::vector<double>& from, mjtNum* to) { std::ranges::copy(from, to); }
 
 }  // namespace
 
 struct State::Running {
   mjData* data = nullptr;
-  std::vector<int> compensated_dofs;  ///< degrees of freedom with compensation
-  /// [nv] commanded accelerations, and the forces for them.
-  std::vector<mjtNum> acceleration, inertial_forces;
+  std::vector<int> compensated_dofs;  ///< degrees of freedom of hinges and slides
+  std::vector<mjtNum> compensated_acceleration, inertial_force;  ///< [nv]
   ~Running() {
     if (data) mj_deleteData(data);
   }
 };
 
 State::State(const Model& model) : model_(&model), running_(std::make_unique<Running>()) {
-  const mjModel& m = model_of(model);
+  const mjModel& m = model.compiled();
   call_guarded([&] { running_->data = mj_makeData(&m); });
   if (!running_->data) throw EngineError("not enough memory for a simulation");
   for (int joint = 0; joint < m.njnt; ++joint) {
     if (m.jnt_type[joint] == mjJNT_HINGE || m.jnt_type[joint] == mjJNT_SLIDE)
       running_->compensated_dofs.push_back(m.jnt_dofadr[joint]);
   }
-  running_->acceleration.assign(m.nv, 0);
-  running_->inertial_forces = running_->acceleration;
+  running_->compensated_acceleration.assign(m.nv, 0);
+  running_->inertial_force = running_->compensated_acceleration;
 }
 
 State::~State() = default;
@@ -48,42 +42,39 @@ State::State(State&&) noexcept = default;
 double State::time_s() const { return running_->data->time; }
 
 void State::set_joint(int joint, double value) {
-  running_->data->qpos[model_of(*model_).jnt_qposadr[joint]] = value;
+  running_->data->qpos[model_->compiled().jnt_qposadr[joint]] = value;
 }
 
 double State::joint(int joint) const {
-  return running_->data->qpos[model_of(*model_).jnt_qposadr[joint]];
+  return running_->data->qpos[model_->compiled().jnt_qposadr[joint]];
 }
 
 void State::set_body(int body, const Pose& pose) {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   const int joint = m.body_jntadr[body];
   assert(joint >= 0 && m.jnt_type[joint] == mjJNT_FREE);
-  const Quat turn(pose.linear());
-  const std::array<double, 7> values{pose.translation().x(),
-                                     pose.translation().y(),
-                                     pose.translation().z(),
-                                     turn.w(),
-                                     turn.x(),
-                                     turn.y(),
-                                     turn.z()};
-  std::ranges::copy(values, running_->data->qpos + m.jnt_qposadr[joint]);
+  const Quat rotation(pose.linear());
+  mjtNum* const position = running_->data->qpos + m.jnt_qposadr[joint];
+  std::ranges::copy(pose.translation(), position);
+  std::ranges::copy(std::array{rotation.w(), rotation.x(), rotation.y(), rotation.z()},
+                    position + 3);
   std::fill_n(running_->data->qvel + m.jnt_dofadr[joint], 6, 0.0);
 }
 
 Pose State::body(int body) const {
-  const mjtNum* const at = running_->data->xpos + 3 * body;
-  return make_pose(Vec3(at[0], at[1], at[2]), quaternion(running_->data->xquat + 4 * body));
+  const mjtNum* const x = running_->data->xpos + 3 * body;
+  const mjtNum* const q = running_->data->xquat + 4 * body;
+  return make_pose(Vec3(x[0], x[1], x[2]), Quat(q[0], q[1], q[2], q[3]));
 }
 
 void State::set_control(int actuator, double value) { running_->data->ctrl[actuator] = value; }
 
 void State::set_acceleration(int joint, double value) {
-  running_->acceleration[model_of(*model_).jnt_dofadr[joint]] = value;
+  running_->compensated_acceleration[model_->compiled().jnt_dofadr[joint]] = value;
 }
 
 double State::commanded_force(int actuator) const {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   const mjData& d = *running_->data;
   const mjtNum* const gain = m.actuator_gainprm + mjNGAIN * actuator;
   const mjtNum* const bias = m.actuator_biasprm + mjNBIAS * actuator;
@@ -92,7 +83,7 @@ double State::commanded_force(int actuator) const {
 }
 
 double State::applied_force(int actuator) const {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   const int dof = m.jnt_dofadr[m.actuator_trnid[2 * actuator]];
   return running_->data->actuator_force[actuator] + running_->data->qfrc_applied[dof];
 }
@@ -102,22 +93,22 @@ void State::apply_force(int body, const Vec3& force) {
 }
 
 void State::update_poses() {
-  call_guarded([&] { mj_forward(&model_of(*model_), running_->data); });
+  call_guarded([&] { mj_forward(&model_->compiled(), running_->data); });
 }
 
 std::optional<std::string> State::step() {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   mjData& d = *running_->data;
   const double before_s = d.time;
   const std::string warning = call_guarded([&] {
     mj_step1(&m, &d);
-    mj_mulM(&m, &d, running_->inertial_forces.data(), running_->acceleration.data());
+    mj_mulM(&m, &d, running_->inertial_force.data(), running_->compensated_acceleration.data());
     for (const int dof : running_->compensated_dofs)
-      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial_forces[dof];
+      d.qfrc_applied[dof] = d.qfrc_bias[dof] + running_->inertial_force[dof];
     mj_step2(&m, &d);
   });
   if (!warning.empty()) return warning;
-  // A further warning of the same kind is only counted.
+  // MuJoCo calls the handler only at the first warning of a kind, and counts further ones.
   for (int kind = 0; kind < mjNWARNING; ++kind) {
     if (d.warning[kind].number > 0) return mju_warningText(kind, d.warning[kind].lastinfo);
   }
@@ -126,7 +117,7 @@ std::optional<std::string> State::step() {
 }
 
 void State::contacts(std::vector<GeomContact>& out) const {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   const mjData& d = *running_->data;
   out.clear();
   for (int k = 0; k < d.ncon; ++k) {
@@ -141,7 +132,7 @@ void State::contacts(std::vector<GeomContact>& out) const {
 }
 
 Snapshot State::snapshot() const {
-  const mjModel& m = model_of(*model_);
+  const mjModel& m = model_->compiled();
   const mjData& d = *running_->data;
   return {d.time, copied(d.qpos, m.nq), copied(d.qvel, m.nv), copied(d.ctrl, m.nu),
           copied(d.qacc_warmstart, m.nv)};
@@ -149,12 +140,12 @@ Snapshot State::snapshot() const {
 
 void State::restore(const Snapshot& snapshot) {
   mjData& d = *running_->data;
-  assert(static_cast<int>(snapshot.position.size()) == model_of(*model_).nq);
+  assert(std::ssize(snapshot.position) == model_->compiled().nq);
   d.time = snapshot.time_s;
-  copy_into(snapshot.position, d.qpos);
-  copy_into(snapshot.velocity, d.qvel);
-  copy_into(snapshot.control, d.ctrl);
-  copy_into(snapshot.acceleration, d.qacc_warmstart);
+  std::ranges::copy(snapshot.position, d.qpos);
+  std::ranges::copy(snapshot.velocity, d.qvel);
+  std::ranges::copy(snapshot.control, d.ctrl);
+  std::ranges::copy(snapshot.acceleration, d.qacc_warmstart);
 }
 
 }  // namespace morphe::physics

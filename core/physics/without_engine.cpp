@@ -1,12 +1,8 @@
 // Replaces the other sources of this folder in a build without MuJoCo.
-#include <utility>
-
-#include "core/physics/model.hpp"
 #include "core/physics/state.hpp"
 
 namespace morphe::physics {
 
-struct Model::Compiled {};
 struct State::Running {};
 
 namespace {
@@ -15,11 +11,9 @@ namespace {
 
 }  // namespace
 
-std::string engine() { return ""; }
+std::string engine_version() { return ""; }
 
-Model::Model(const std::string&) { fail(); }
-Model::~Model() = default;
-Model::Model(Model&&) noexcept = default;
+Model::Model(const std::string&) : compiled_(nullptr, nullptr) { fail(); }
 int Model::body(const std::string&) const { fail(); }
 int Model::joint(const std::string&) const { fail(); }
 int Model::geom(const std::string&) const { fail(); }
@@ -35,12 +29,13 @@ double State::joint(int) const { fail(); }
 void State::set_body(int, const Pose&) { fail(); }
 Pose State::body(int) const { fail(); }
 void State::set_control(int, double) { fail(); }
-double State::asked(int) const { fail(); }
-double State::given(int) const { fail(); }
-void State::push(int, const Vec3&) { fail(); }
-void State::pose() { fail(); }
+void State::set_acceleration(int, double) { fail(); }
+double State::commanded_force(int) const { fail(); }
+double State::applied_force(int) const { fail(); }
+void State::apply_force(int, const Vec3&) { fail(); }
+void State::update_poses() { fail(); }
 std::optional<std::string> State::step() { fail(); }
-void State::touches(std::vector<Touch>&) const { fail(); }
+void State::contacts(std::vector<GeomContact>&) const { fail(); }
 Snapshot State::snapshot() const { fail(); }
 void State::restore(const Snapshot&) { fail(); }
 

@@ -10,13 +10,13 @@
 namespace morphe::robot {
 namespace {
 
-constexpr std::size_t kAnglesPerBlock = 32;  ///< number of angles whose sines are computed at once
+constexpr int kAnglesPerBlock = 32;  ///< number of angles whose sines are computed at once
 
-/// Computes base_from_parent * transform * Rotation(axis, angle) * Translation(axis * way). It
-/// works column by column including the fourth row, because four numbers fit SIMD packets and three
-/// do not. A rotation about z, as in all DH joints, only mixes the first two columns.
+/// Computes base_from_parent * transform * Rotation(axis, value), or * Translation(axis * value);
+/// s, c are sine and cosine of the value. Columns include the fourth row, because four numbers fit
+/// SIMD packets and three do not. A rotation about z, as in all DH joints, mixes two columns only.
 void set_frame_pose(const Eigen::Matrix4d& parent, const RobotModel::Frame& frame, double s,
-                    double c, double way, Eigen::Matrix4d& pose) {
+                    double c, double value, Eigen::Matrix4d& pose) {
   const Eigen::Matrix4d& t = frame.transform.matrix();
   const Eigen::Vector4d p0 = parent.col(0), p1 = parent.col(1), p2 = parent.col(2);
   const auto column = [&](Eigen::Index j) -> Eigen::Vector4d {
@@ -28,7 +28,7 @@ void set_frame_pose(const Eigen::Matrix4d& parent, const RobotModel::Frame& fram
     pose.col(0) = x;
     pose.col(1) = y;
     pose.col(2) = z;
-    pose.col(3) += way * (frame.axis.x() * x + frame.axis.y() * y + frame.axis.z() * z);
+    pose.col(3) += value * (frame.axis.x() * x + frame.axis.y() * y + frame.axis.z() * z);
     return;
   }
   if (frame.axis.z() == 1) {
@@ -37,7 +37,7 @@ void set_frame_pose(const Eigen::Matrix4d& parent, const RobotModel::Frame& fram
     pose.col(2) = z;
     return;
   }
-  // Rodrigues' formula: v Rotation = c v + s v x axis + (1 - c) (v axis) axis for every row v.
+  // Rodrigues' formula: v Rotation = c v + s v × axis + (1 - c) (v · axis) axis for every row v.
   const Vec3& a = frame.axis;
   const Eigen::Vector4d along = (1 - c) * (a.x() * x + a.y() * y + a.z() * z);
   pose.col(0) = c * x + s * (a.z() * y - a.y() * z) + a.x() * along;
@@ -55,21 +55,21 @@ Vec3 scaled_axis(const RobotModel::Frame& frame, const Pose& pose) {
 
 void forward_kinematics(const RobotModel& robot, const Eigen::Ref<const JointVector>& q,
                         std::vector<Pose>& base_from_frame) {
-  assert(q.size() == static_cast<Eigen::Index>(robot.joints()));
-  const std::size_t count = robot.frames.size();
+  assert(q.size() == std::ssize(robot.joint_names));
+  const std::ptrdiff_t count = std::ssize(robot.frames);
   base_from_frame.resize(count);
   const Eigen::Matrix4d base = Eigen::Matrix4d::Identity();
   std::array<double, kAnglesPerBlock> angle, sine, cosine;
-  for (std::size_t begin = 0; begin < count; begin += kAnglesPerBlock) {
-    const std::size_t size = std::min(kAnglesPerBlock, count - begin);
-    for (std::size_t i = 0; i < size; ++i) {
+  for (std::ptrdiff_t begin = 0; begin < count; begin += kAnglesPerBlock) {
+    const std::ptrdiff_t size = std::min<std::ptrdiff_t>(kAnglesPerBlock, count - begin);
+    for (int i = 0; i < size; ++i) {
       const RobotModel::Frame& frame = robot.frames[begin + i];
       angle[i] = frame.joint < 0 ? 0 : frame.ratio * q[frame.joint] + frame.offset;
     }
     math::sine_cosine(angle.data(), size, sine.data(), cosine.data());
-    for (std::size_t i = 0; i < size; ++i) {
+    for (int i = 0; i < size; ++i) {
       const RobotModel::Frame& frame = robot.frames[begin + i];
-      assert(frame.parent < static_cast<int>(begin + i));
+      assert(frame.parent < begin + i);
       const Eigen::Matrix4d& parent =
           frame.parent < 0 ? base : base_from_frame[frame.parent].matrix();
       set_frame_pose(parent, frame, sine[i], cosine[i], angle[i],
@@ -78,7 +78,8 @@ void forward_kinematics(const RobotModel& robot, const Eigen::Ref<const JointVec
   }
 }
 
-Pose tip_pose(const RobotModel& robot, const std::vector<Pose>& base_from_frame, std::size_t tip) {
+Pose tip_pose(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
+              std::ptrdiff_t tip) {
   const RobotModel::Tip& t = robot.tips[tip];
   if (t.frame < 0) return t.transform;
   return base_from_frame[t.frame] * t.transform;
@@ -86,7 +87,7 @@ Pose tip_pose(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
 
 void point_jacobian(const RobotModel& robot, const std::vector<Pose>& base_from_frame, int frame,
                     const Vec3& point_in_base, Eigen::Ref<Eigen::Matrix3Xd> jacobian) {
-  assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));
+  assert(jacobian.cols() == std::ssize(robot.joint_names));
   jacobian.setZero();
   for (const int above : ancestors(robot, frame)) {
     const RobotModel::Frame& f = robot.frames[above];
@@ -101,7 +102,7 @@ void point_jacobian(const RobotModel& robot, const std::vector<Pose>& base_from_
 void add_point_gradient(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
                         int frame, int ancestor, const Vec3& point_in_base, const Vec3& direction,
                         Eigen::Ref<JointVector> slope) {
-  assert(slope.size() >= static_cast<Eigen::Index>(robot.joints()));
+  assert(slope.size() >= std::ssize(robot.joint_names));
   while (frame != ancestor) {
     const RobotModel::Frame& f = robot.frames[frame];
     if (f.joint >= 0) {
@@ -115,27 +116,25 @@ void add_point_gradient(const RobotModel& robot, const std::vector<Pose>& base_f
 
 void tip_jacobians(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
                    Eigen::Ref<Eigen::MatrixXd> jacobian) {
-  assert(jacobian.rows() == static_cast<Eigen::Index>(6 * robot.tips.size()));
-  assert(jacobian.cols() == static_cast<Eigen::Index>(robot.joints()));
+  assert(jacobian.rows() == 6 * std::ssize(robot.tips));
+  assert(jacobian.cols() == std::ssize(robot.joint_names));
   jacobian.setZero();
-  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+  for (Eigen::Index i = 0; i < std::ssize(robot.tips); ++i) {
     const RobotModel::Tip& tip = robot.tips[i];
     if (tip.frame < 0) continue;
     const Vec3 point = base_from_frame[tip.frame] * tip.transform.translation();
-    for (int frame = tip.frame; frame >= 0;) {
+    for (const int frame : ancestors(robot, tip.frame)) {
       const RobotModel::Frame& f = robot.frames[frame];
-      if (f.joint >= 0) {
-        const Pose& pose = base_from_frame[frame];
-        const Vec3 axis = scaled_axis(f, pose);
-        auto column = jacobian.block<6, 1>(6 * static_cast<Eigen::Index>(i), f.joint);
-        if (f.prismatic) {
-          column.head<3>() += axis;
-        } else {
-          column.head<3>() += axis.cross(point - pose.translation());
-          column.tail<3>() += axis;
-        }
+      if (f.joint < 0) continue;
+      const Pose& pose = base_from_frame[frame];
+      const Vec3 axis = scaled_axis(f, pose);
+      auto column = jacobian.block<6, 1>(6 * i, f.joint);
+      if (f.prismatic) {
+        column.head<3>() += axis;
+      } else {
+        column.head<3>() += axis.cross(point - pose.translation());
+        column.tail<3>() += axis;
       }
-      frame = f.parent;
     }
   }
 }

@@ -8,8 +8,7 @@
 namespace morphe::robot {
 namespace {
 
-/// Axes count as parallel if the cosine of the angle between them exceeds this.
-constexpr double kParallelCosine = 0.9;
+constexpr double kParallelCosine = 0.9;  ///< axes with a larger cosine count as parallel
 
 struct Axis {
   Vec3 point, direction;
@@ -17,12 +16,11 @@ struct Axis {
 };
 
 /// Returns the flexion axes of a finger, the distal one first.
-std::vector<Axis> bending_axes(const RobotModel& robot, const RobotModel::Tip& tip,
+std::vector<Axis> flexion_axes(const RobotModel& robot, const RobotModel::Tip& tip,
                                const std::vector<Pose>& base_from_frame) {
   std::vector<Axis> axes;
   for (const int f : ancestors(robot, tip.frame)) {
-    if (is_in_subtree(robot, robot.palm_frame, f))
-      break;  // the frame carries the palm, so it is part of the wrist
+    if (is_in_subtree(robot, robot.palm_frame, f)) break;  // part of the wrist
     if (joint_of(robot, f) < 0 || robot.frames[f].prismatic) continue;
     const Pose& pose = base_from_frame[f];
     const Axis axis{pose.translation(), pose.linear() * robot.frames[f].axis};
@@ -41,22 +39,20 @@ HandBones hand_dimensions(const RobotModel& robot) {
   const JointVector zero = JointVector::Zero(robot.joints());
   forward_kinematics(robot, zero.cwiseMax(robot.lower).cwiseMin(robot.upper), base_from_frame);
   const Pose palm_from_base = base_from_frame[robot.palm_frame].inverse();
-  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+  for (int i = 0; i < std::ssize(robot.tips); ++i) {
     const RobotModel::Tip& tip = robot.tips[i];
     if (tip.finger < 0) continue;
-    const std::vector<Axis> axes = bending_axes(robot, tip, base_from_frame);
+    const std::vector<Axis> axes = flexion_axes(robot, tip, base_from_frame);
     if (axes.empty()) continue;
-    const Vec3 end = tip_pose(robot, base_from_frame, i).translation();
     double length = 0;
-    Vec3 here = end;
+    Vec3 point = tip_pose(robot, base_from_frame, i).translation();
     for (const Axis& axis : axes) {
-      const Vec3 foot = axis.foot_of(here);
-      length += (here - foot).norm();
-      here = foot;
+      const Vec3 foot = axis.foot_of(point);
+      length += (point - foot).norm();
+      point = foot;
     }
-    const auto finger = static_cast<std::size_t>(tip.finger);
-    bones.length[finger] = length;
-    bones.knuckle[finger] = palm_from_base * here;
+    bones.length[tip.finger] = length;
+    bones.knuckle[tip.finger] = palm_from_base * point;
   }
   return bones;
 }

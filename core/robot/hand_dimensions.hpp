@@ -5,12 +5,13 @@
 
 namespace morphe::robot {
 
-/// Derives the digits of a hand from its joint axes, in the palm frame, each for the tip that
-/// follows that human finger. Going up from the tip, the axes parallel to the last one are flexion
-/// axes (abduction axes may lie between them); the one nearest to the palm is the knuckle:
-///   length = distance of the tip from the last axis + distances between consecutive flexion axes,
-///   knuckle = projection of the tip onto the knuckle's axis,
-/// with every joint at zero, or as close to zero as its limits allow.
+/// Derives the digits of a hand, in the palm frame, from the joint axes of each tip that follows a
+/// human finger. Every joint is at zero, or as close to zero as its limits allow. The axes that are
+/// about parallel to the last one before the tip are flexion axes; abduction axes may lie between
+/// them. The tip is projected onto the last flexion axis, from there onto the one before, etc.:
+///   length = sum of the distances of these projections,
+///   knuckle = projection onto the flexion axis nearest to the palm.
+/// A digit without a tip or without flexion axes is NaN.
 HandBones hand_dimensions(const RobotModel& robot);
 
 }  // namespace morphe::robot

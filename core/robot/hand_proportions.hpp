@@ -1,22 +1,24 @@
 #pragma once
 
 #include <array>
-#include <numbers>
+
+#include "core/motion/geometry.hpp"
 
 namespace morphe::robot {
 
-/// The proportions of a finger of the human hand, from the ratios of Buchholz et al. (1992): the
-/// position of its base across the palm (to the thumb's side) relative to hand breadth, all other
-/// lengths relative to hand length. Limits are those of the Anthropomorphism toolbox, which counts
-/// the abduction of ring and little finger away from the thumb.
+/// The proportions of a finger of the human hand, from the ratios of Buchholz et al. (1992). Limits
+/// are those of the Anthropomorphism toolbox, but abduction is always towards the thumb; the
+/// toolbox counts that of ring and little finger away from it.
 struct FingerProportions {
-  double across, along, proximal, middle, distal;
+  double across;  ///< of the base, to the thumb's side, relative to hand breadth
+  double along;   ///< of the base, from the wrist, relative to hand length like the phalanges
+  double proximal, middle, distal;
   double splay;                        ///< rotation away from the thumb at zero abduction [rad]
   std::array<double, 4> lower, upper;  ///< abduction, MCP, PIP, DIP [rad]
 };
 
-/// The proportions of the thumb: its base and three segments. Its rotation replaces two of the
-/// three CMC joints of the toolbox: ±30 and 60 degrees.
+/// The proportions of the thumb: its base, as for a finger, and three segments. Its rotation, -30
+/// to 90 degrees, replaces two of the toolbox's three CMC joints, ±30 and 60 degrees.
 struct ThumbProportions {
   double across, along, metacarpal, proximal, distal;
   double splay;                        ///< angle between z and the flat thumb [rad]

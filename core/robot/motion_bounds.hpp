@@ -4,16 +4,14 @@
 
 namespace morphe::robot {
 
-/// Computes bounds on the distance that any point of a capsule can travel per radian of each joint:
-/// |dx| <= sum_j levers(c, j) |dq_j| for all positions within the joint limits. For a frame that a
-/// joint rotates, the bound is the distance from the joint's axis to the capsule's far end along
-/// the links between them, with prismatic joints at their largest extension, times the coupling's
-/// ratio, summed over the frames of the joint; for prismatic frames it is the ratio alone. levers
-/// [capsules, joints] [m/rad or m/m] is stored as Robot::capsule_motion_bounds.
+/// Returns the levers [capsules, joints] [m/rad or m/m] that bound the motion of any point x of a
+/// capsule c at all positions within the joint limits: |dx| <= sum_j levers(c, j) |dq_j|. The lever
+/// of a joint is summed over the frames that it moves. A rotated frame adds |ratio| times the
+/// distance from its axis to the capsule's far end along the links between them, with prismatic
+/// joints at their largest extension; a prismatic frame adds |ratio|.
 JointRows capsule_motion_bounds(const RobotModel& robot);
 
-/// Computes the same bounds for a sphere that moves with a frame; its centre is given in the frame.
-/// [joints]
+/// Returns the same levers [joints] for a sphere that moves with a frame, its centre in that frame.
 JointVector sphere_motion_bounds(const RobotModel& robot, int frame, const Vec3& centre,
                                  double radius);
 

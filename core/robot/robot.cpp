@@ -11,11 +11,12 @@ namespace {
 
 constexpr const char* kArm = "arm";
 
+/// Returns the first fingertip beyond a joint centre; -1 for a centre of the arm, or without one.
 int distal_tip(const RobotModel& robot, const RobotModel::JointCentre& centre) {
   if (centre.chain == kArm) return -1;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
     if (robot.tips[tip].finger < 0) continue;
-    if (is_in_subtree(robot, robot.tips[tip].frame, centre.frame)) return static_cast<int>(tip);
+    if (is_in_subtree(robot, robot.tips[tip].frame, centre.frame)) return tip;
   }
   return -1;
 }
@@ -23,11 +24,7 @@ int distal_tip(const RobotModel& robot, const RobotModel::JointCentre& centre) {
 }  // namespace
 
 Robot::Robot(RobotModel table) : RobotModel(std::move(table)) {
-  for (std::size_t f = 0; f < frames.size(); ++f) {
-    const bool turns = frames[f].joint >= 0;
-    const int parent = frames[f].parent;
-    moving_frame.push_back(turns ? static_cast<int>(f) : parent < 0 ? -1 : moving_frame[parent]);
-  }
+  for (int f = 0; f < std::ssize(frames); ++f) moving_frame.push_back(moving_frame_of(*this, f));
   const int palm = frames.empty() ? -1 : palm_frame;
   for (const int frame : ancestors(*this, palm)) {
     if (joint_of(*this, frame) >= 0) arm_joints.push_back(joint_of(*this, frame));
@@ -44,12 +41,23 @@ Robot::Robot(RobotModel table) : RobotModel(std::move(table)) {
   capsule_motion_bounds = robot::capsule_motion_bounds(*this);
 }
 
+bool is_pad(const Robot& robot, int capsule) {
+  return std::ranges::find(robot.pads, capsule, &Pad::capsule) != robot.pads.end();
+}
+
+Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::ptrdiff_t tip,
+                   double tip_to_pad_share) {
+  const int frame = robot.tips[tip].frame;
+  Vec3 point = robot.tips[tip].transform.translation();
+  if (tip_to_pad_share > 0) point += tip_to_pad_share * (robot.pads[tip].centre - point);
+  return frame < 0 ? point : base_from_frame[frame] * point;
+}
+
 std::vector<Vec3> arm_centre_positions(const Robot& robot,
                                        const std::vector<Pose>& base_from_frame) {
   std::vector<Vec3> positions;
-  for (const int frame : robot.arm_centres) {
+  for (const int frame : robot.arm_centres)
     positions.push_back(base_from_frame[frame].translation());
-  }
   return positions;
 }
 

@@ -8,30 +8,32 @@
 namespace morphe::robot {
 
 /// A robot: its model, and data derived once from its frames, tips, centres and capsules. It is
-/// const and shared by all threads; each thread has its own scratch buffers. Limits may be changed
-/// afterwards, because no derived data depends on them, except on those of prismatic joints, which
-/// may only be narrowed.
+/// const and shared by all threads; each thread has its own scratch buffers. Limits of revolute
+/// joints may be changed afterwards, because no derived data depends on them; those of prismatic
+/// joints may only be narrowed.
 struct Robot : RobotModel {
   Robot() = default;
   /// Derives the data of a robot from its model.
   explicit Robot(RobotModel table);
 
-  /// [frames] nearest frame, the frame itself included, that a joint moves; -1 if there is no such
-  /// frame.
-  std::vector<int> moving_frame;
-  std::vector<int> arm_joints;   ///< joints that move the palm, in order
-  std::vector<int> arm_centres;  ///< frames of the arm's joint centres, in order
-  /// [centres] tip of the finger to which the centre belongs; -1 if there is no such tip, or the
-  /// centre is the arm's.
-  std::vector<int> tip_of_centre;
-  std::vector<Pad> pads;                   ///< [tips]
+  std::vector<int> moving_frame;   ///< [frames] as moving_frame_of() returns it
+  std::vector<int> arm_joints;     ///< joints that move the palm, in order
+  std::vector<int> arm_centres;    ///< frames of the arm's joint centres, in order
+  std::vector<int> tip_of_centre;  ///< [centres] first fingertip beyond; -1 if none, or for the arm
+  std::vector<Pad> pads;           ///< [tips]
   std::vector<double> chain_centre_count;  ///< [centres] number of centres of its chain
-  /// [capsules, n] bounds on the distance that any point of a capsule can travel per radian (or
-  /// metre, if prismatic) of each joint [m]; see motion_bounds.hpp.
-  JointRows capsule_motion_bounds;
+  JointRows capsule_motion_bounds;         ///< [capsules, n] levers, see motion_bounds.hpp
 };
 
-/// Returns the positions of the arm's joint centres (metric A), given the poses of the frames [m].
+/// Returns true if one of the capsule's ends is a pad.
+bool is_pad(const Robot& robot, int capsule);
+
+/// Returns the point of a tip to which its goal applies, in the base frame [m]: that at the share
+/// `tip_to_pad_share`, 0 … 1, of the way from the tip to the centre of its pad.
+Vec3 tracked_point(const Robot& robot, const std::vector<Pose>& base_from_frame, std::ptrdiff_t tip,
+                   double tip_to_pad_share);
+
+/// Returns the positions of the arm's joint centres in the base frame [m].
 std::vector<Vec3> arm_centre_positions(const Robot& robot,
                                        const std::vector<Pose>& base_from_frame);
 

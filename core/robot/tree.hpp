@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
@@ -7,7 +9,7 @@ namespace morphe::robot {
 /// The range that ancestors() returns.
 class AncestorRange {
  public:
-  /// The frames from `frame` up to the base.
+  /// The range from `frame` up to the base.
   AncestorRange(const RobotModel& robot, int frame) : robot_(robot), first_(frame) {}
 
   /// Moves from a frame to its parent.
@@ -29,11 +31,10 @@ class AncestorRange {
   int first_;
 };
 
-/// Returns the frames from one up to the base, which is excluded: for (const int f :
-/// ancestors(robot, 7)).
+/// Returns a frame and its ancestors up to the base, which is excluded.
 inline AncestorRange ancestors(const RobotModel& robot, int frame) { return {robot, frame}; }
 
-/// Returns the joint that moves a frame directly, or -1 if there is no such joint.
+/// Returns the joint that moves a frame relative to its parent, -1 if there is no such joint.
 inline int joint_of(const RobotModel& robot, int frame) { return robot.frames[frame].joint; }
 
 /// Returns true if a frame equals `ancestor` or is a descendant of it. All frames are descendants
@@ -43,24 +44,20 @@ inline bool is_in_subtree(const RobotModel& robot, int frame, int ancestor) {
   return frame == ancestor;  // parents precede their children
 }
 
-/// Returns the nearest frame that a joint moves, the frame itself included, to which it is rigidly
-/// connected; -1 = the base.
+/// Returns the frame itself if a joint moves it, else its nearest ancestor that a joint moves, to
+/// which it is rigidly connected; -1 = the base.
 inline int moving_frame_of(const RobotModel& robot, int frame) {
-  while (frame >= 0 && joint_of(robot, frame) < 0) {
-    frame = robot.frames[frame].parent;
-  }
+  while (frame >= 0 && joint_of(robot, frame) < 0) frame = robot.frames[frame].parent;
   return frame;
 }
 
-/// Returns true if a joint's own value is a length, because the first of its frames is prismatic.
+/// Returns true if a joint's position is a length, because the first of its frames is prismatic.
 inline bool is_prismatic(const RobotModel& robot, int joint) {
-  for (const RobotModel::Frame& frame : robot.frames) {
-    if (frame.joint == joint) return frame.prismatic;
-  }
-  return false;
+  const auto first = std::ranges::find(robot.frames, joint, &RobotModel::Frame::joint);
+  return first != robot.frames.end() && first->prismatic;
 }
 
-/// Returns true if a joint moves a frame, directly or through a coupling.
+/// Returns true if a joint moves a frame or one of its ancestors, directly or by a coupling.
 inline bool joint_moves_frame(const RobotModel& robot, int joint, int frame) {
   for (const int f : ancestors(robot, frame)) {
     if (joint_of(robot, f) == joint) return true;
@@ -68,11 +65,11 @@ inline bool joint_moves_frame(const RobotModel& robot, int joint, int frame) {
   return false;
 }
 
-/// Returns the last frame with which both frames move; -1 = the base.
+/// Returns the last frame on the way from the base to both frames; -1 = the base.
 inline int common_ancestor(const RobotModel& robot, int frame, int other) {
   while (frame != other) {
-    int& lower = frame > other ? frame : other;
-    lower = robot.frames[lower].parent;
+    int& later = frame > other ? frame : other;  // is not an ancestor of the other one
+    later = robot.frames[later].parent;
   }
   return frame;
 }

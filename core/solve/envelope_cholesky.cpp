@@ -14,9 +14,8 @@ Index padded(Index count) { return (count + kLanes - 1) / kLanes * kLanes; }
 
 /// Subtracts a multiple of `other` from the first `count` entries of `row`, including its padding.
 void subtract(double* row, double multiple, const double* other, Index count) {
-  for (Index k = 0; k < count; k += kLanes) {
+  for (Index k = 0; k < count; k += kLanes)
     Eigen::Map<Lanes>(row + k) -= multiple * Eigen::Map<const Lanes>(other + k);
-  }
 }
 
 }  // namespace
@@ -43,9 +42,8 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
       row[p] += damping;
     }
   }
-  for (Index j = 0; j < n; ++j) {
+  for (Index j = 0; j < n; ++j)
     if (held[j]) rows.col(j).tail(n - j).setZero();
-  }
   for (Index p = n; p-- > 0;) {
     double* row = rows.data() + p * rows.cols();
     if (held[p]) {
@@ -53,23 +51,22 @@ bool EnvelopeCholesky::factorise(const Eigen::MatrixXd& hessian, double damping,
       continue;
     }
     if (!(row[p] > 1e-14 * std::abs(hessian(p, p) + damping))) {
-      const double squared = squared_length_at(p);
+      const double squared = find_direction_of(p);
       missing_damping = std::max(-row[p], 1e-12 * std::abs(hessian(p, p) + damping)) / squared;
       curvature = row[p] / squared;
       return false;
     }
     inverse_pivot[p] = 1 / std::sqrt(row[p]);
     for (Index k = 0; k < p; ++k) row[k] *= inverse_pivot[p];
-    for (Index k = 0; k < p; ++k) {
+    for (Index k = 0; k < p; ++k)
       if (row[k] != 0) subtract(rows.data() + k * rows.cols(), row[k], row, k + 1);
-    }
   }
   return true;
 }
 
-/// Returns ‖v‖² of the v with v_p = 1 and zeros before p for which vᵀ (H + damping I) v is the
-/// pivot of p.
-double EnvelopeCholesky::squared_length_at(Index pivot) {
+/// Sets negative_curvature_direction to the v with v_p = 1 and zeros before p for which vᵀ (H +
+/// damping I) v is the pivot of p; returns ‖v‖².
+double EnvelopeCholesky::find_direction_of(Index pivot) {
   const Index n = rows.rows();
   negative_curvature_direction.setZero(n);
   negative_curvature_direction[pivot] = 1;
@@ -87,9 +84,8 @@ void EnvelopeCholesky::solve(JointVector& right_side) const {
     right_side[p] *= inverse_pivot[p];
     right_side.head(p) -= right_side[p] * before(p);
   }
-  for (Index p = 0; p < n; ++p) {
+  for (Index p = 0; p < n; ++p)
     right_side[p] = (right_side[p] - before(p).dot(right_side.head(p))) * inverse_pivot[p];
-  }
 }
 
 }  // namespace morphe::solve

@@ -19,14 +19,13 @@ class EnvelopeCholesky {
   JointVector negative_curvature_direction;  ///< direction of negative curvature in this case
   double curvature = 0;                      ///< curvature of H + damping I along it
 
-  /// Factorises; returns false if a pivot is not clearly positive, in which case solve() must not
-  /// be called. Of H the upper triangle is read.
+  /// Factorises (reads H's upper triangle); if a pivot is not positive, returns false: no solve().
   bool factorise(const Eigen::MatrixXd& hessian, double damping, const std::vector<char>& held);
-  /// Replaces right_side by the solution; entries of held variables do not change.
+  /// Replaces right_side by the solution, after factorise(); entries of held variables stay.
   void solve(JointVector& right_side) const;
 
  private:
-  double squared_length_at(Eigen::Index pivot);
+  double find_direction_of(Eigen::Index pivot);
   Eigen::Map<const JointVector> before(Eigen::Index pivot, Eigen::Index from = 0) const;
 
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows;  ///< s_p, padded

@@ -1,49 +1,8 @@
 #pragma once
 
-#include <functional>
-#include <string>
-
-#include "core/solve/quadratic.hpp"
+#include "core/solve/bounded_problem.hpp"
 
 namespace morphe::solve {
-
-/// The problem: minimise F(x) subject to lower <= x <= upper.
-struct BoundedProblem {
-  JointVector lower, upper;
-  /// Returns the value at x, and fills the gradient [n] if it is not null; used by NLopt.
-  std::function<double(const JointVector& x, JointVector* gradient)> objective;
-  /// Adds value, gradient and Hessian at x to a model that was reset to [n]; the Hessian may be
-  /// indefinite. Used by the structured solver.
-  std::function<void(const JointVector& x, Quadratic& model)> model;
-};
-
-/// The options of minimise().
-struct MinimiseOptions {
-  /// "trust_region": Morphe's projected Newton method. NLopt's algorithms: "tnewton"
-  /// (LD_TNEWTON_PRECOND_RESTART), "slsqp" or "lbfgs".
-  std::string algorithm = "trust_region";
-  int max_evaluations = 400;          ///< maximum number of evaluations; there is no time limit
-  double relative_tolerance = 1e-10;  ///< stop if a step changes F by less than this share
-  double step_tolerance_rad = 1e-7;   ///< or x by less than this
-};
-/// Declares the config keys of the options.
-template <class Fields>
-void fields(Fields& f, MinimiseOptions& o) {
-  f("algorithm", o.algorithm);
-  f("max_evaluations", o.max_evaluations);
-  f("relative_tolerance", o.relative_tolerance);
-  f("step_tolerance_rad", o.step_tolerance_rad);
-}
-/// Returns the reason why the options are invalid, "" if they are valid.
-std::string validation_error(const MinimiseOptions& options);
-
-/// The result of a minimisation.
-struct Minimum {
-  JointVector x;  ///< best point found, inside the bounds
-  double value = 0;
-  int evaluations = 0;
-  bool converged = false;  ///< false if stopped by the limit or by NLopt's round-off guard
-};
 
 /// Finds a local minimum from a start point, which is clamped to the bounds. Deterministic.
 Minimum minimise(const BoundedProblem& problem, const JointVector& start,

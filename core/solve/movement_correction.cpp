@@ -3,42 +3,40 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 
+#include "core/solve/constants.hpp"
+
 namespace morphe::solve {
 
 using Eigen::Index;
 
-JointVector model_error(const MovementPoint& from, const JointRows& aimed,
-                        const MovementPoint& to) {
-  JointVector wrong(from.q.rows()), step, bent;
-  for (Index f = 0; f < from.q.rows(); ++f) {
-    const auto frame = static_cast<std::size_t>(f);
-    const Quadratic& model = from.models[frame];
-    step = (aimed.row(f) - from.q.row(f)).transpose();
+JointVector model_error(const MovementPoint& begin, const JointRows& aimed,
+                        const MovementPoint& end) {
+  JointVector error(begin.q.rows()), step, bent;
+  for (Index f = 0; f < begin.q.rows(); ++f) {
+    const Quadratic& model = begin.models[f];
+    step = (aimed.row(f) - begin.q.row(f)).transpose();
     bent.noalias() = model.hessian * step;
-    wrong[f] =
-        to.models[frame].value - model.value - step.dot(model.gradient) - 0.5 * step.dot(bent);
+    error[f] = end.models[f].value - model.value - step.dot(model.gradient) - 0.5 * step.dot(bent);
   }
-  return wrong;
+  return error;
 }
 
 void correct_step(const MovementProblem& problem, const DifferenceCurvature& between,
-                  const MovementPoint& from, const JointRows& aimed, const MovementPoint& to,
+                  const MovementPoint& begin, const JointRows& aimed, const MovementPoint& end,
                   const JointVector& damping, JointRows& corrected) {
-  constexpr double kMinCurvature = 10;
-  corrected = to.q;
+  corrected = end.q;
   JointVector step, change;
   Eigen::MatrixXd hessian;
   Eigen::LLT<Eigen::MatrixXd> factor;
-  for (Index f = 0; f < to.q.rows(); ++f) {
-    const auto frame = static_cast<std::size_t>(f);
-    step = (aimed.row(f) - from.q.row(f)).transpose();
-    change = from.models[frame].gradient - to.models[frame].gradient;
-    change.noalias() += from.models[frame].hessian * step;
-    hessian = to.models[frame].hessian;
-    hessian.diagonal() += between[frame].col(0);
-    hessian.diagonal().array() += std::max(damping[f], kMinCurvature);
+  for (Index f = 0; f < end.q.rows(); ++f) {
+    step = (aimed.row(f) - begin.q.row(f)).transpose();
+    change = begin.models[f].gradient - end.models[f].gradient;
+    change.noalias() += begin.models[f].hessian * step;
+    hessian = end.models[f].hessian;
+    hessian.diagonal() += between[f].col(0);
+    hessian.diagonal().array() += std::max(damping[f], kMinCorrectionCurvature);
     for (Index j = 0; j < change.size(); ++j) {
-      if (to.q(f, j) > problem.lower[j] && to.q(f, j) < problem.upper[j]) continue;
+      if (end.q(f, j) > problem.lower[j] && end.q(f, j) < problem.upper[j]) continue;
       hessian.row(j).setZero();
       hessian.col(j).setZero();
       hessian(j, j) = 1;

@@ -15,21 +15,16 @@ const std::array<std::vector<double>, 3> kDifferences{{{-1, 1}, {1, -2, 1}, {-1,
 
 JointVector difference(const JointRows& q, Index f, const std::vector<double>& coefficients) {
   JointVector sum = JointVector::Zero(q.cols());
-  for (std::size_t k = 0; k < coefficients.size(); ++k) {
-    sum += coefficients[k] * q.row(f + k).transpose();
-  }
+  for (const double coefficient : coefficients) sum += coefficient * q.row(f++).transpose();
   return sum;
 }
 
 /// Calls visit(first frame, coefficients, weight) for every difference of the movement.
 template <class Visit>
 void each_difference(const MovementProblem& problem, const Visit& visit) {
-  for (std::size_t order = 0; order < kDifferences.size(); ++order) {
-    const auto span = static_cast<Index>(kDifferences[order].size());
-    for (Index f = 0; f + span <= static_cast<Index>(problem.frames); ++f) {
+  for (std::size_t order = 0; order < kDifferences.size(); ++order)
+    for (Index f = 0; f + std::ssize(kDifferences[order]) <= problem.frames; ++f)
       visit(f, kDifferences[order], problem.difference_weight[order]);
-    }
-  }
 }
 
 }  // namespace
@@ -39,7 +34,7 @@ void evaluate(const MovementProblem& problem, MovementPoint& point) {
   point.models.resize(problem.frames);
   point.frame_value = 0;
   JointVector q(n);
-  for (std::size_t f = 0; f < problem.frames; ++f) {
+  for (Index f = 0; f < problem.frames; ++f) {
     point.models[f].reset(n);
     q = point.q.row(f);
     problem.frame_model(f, q, point.models[f]);
@@ -53,14 +48,10 @@ void evaluate(const MovementProblem& problem, MovementPoint& point) {
 
 JointRows gradient(const MovementProblem& problem, const MovementPoint& point) {
   JointRows g(point.q.rows(), point.q.cols());
-  for (Index f = 0; f < g.rows(); ++f) {
-    g.row(f) = point.models[f].gradient.transpose();
-  }
+  for (Index f = 0; f < g.rows(); ++f) g.row(f) = point.models[f].gradient.transpose();
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
     const JointVector weighted = 2 * difference(point.q, f, coefficients).cwiseProduct(weight);
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      g.row(f + k) += coefficients[k] * weighted.transpose();
-    }
+    for (const double coefficient : coefficients) g.row(f++) += coefficient * weighted.transpose();
   });
   return g;
 }
@@ -69,8 +60,8 @@ DifferenceCurvature difference_curvature(const MovementProblem& problem) {
   DifferenceCurvature curvature(
       problem.frames, Eigen::MatrixXd::Zero(problem.lower.size(), BandCholesky::kBandBlocks + 1));
   each_difference(problem, [&](Index f, const auto& coefficients, const JointVector& weight) {
-    for (std::size_t a = 0; a < coefficients.size(); ++a) {
-      for (std::size_t b = 0; b <= a; ++b) {
+    for (Index a = 0; a < std::ssize(coefficients); ++a) {
+      for (Index b = 0; b <= a; ++b) {
         curvature[f + a].col(a - b) += 2 * coefficients[a] * coefficients[b] * weight;
       }
     }
@@ -82,11 +73,10 @@ JointRows multiply(const DifferenceCurvature& between, const MovementPoint& poin
                    const JointVector& damping, const JointRows& v) {
   JointRows product = damping.asDiagonal() * v;
   for (Index f = 0; f < v.rows(); ++f) {
-    const auto frame = static_cast<std::size_t>(f);
-    product.row(f).noalias() += v.row(f) * point.models[frame].hessian;
-    product.row(f) += v.row(f).cwiseProduct(between[frame].col(0).transpose());
+    product.row(f).noalias() += v.row(f) * point.models[f].hessian;
+    product.row(f) += v.row(f).cwiseProduct(between[f].col(0).transpose());
     for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      const auto weight = between[frame].col(before).transpose();
+      const auto weight = between[f].col(before).transpose();
       product.row(f) += v.row(f - before).cwiseProduct(weight);
       product.row(f - before) += v.row(f).cwiseProduct(weight);
     }

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/solve/minimise_movement.hpp"
+#include "core/solve/movement_problem.hpp"
 
 namespace morphe::solve {
 
@@ -26,8 +26,7 @@ using DifferenceCurvature = std::vector<Eigen::MatrixXd>;
 /// Computes the contribution of the differences.
 DifferenceCurvature difference_curvature(const MovementProblem& problem);
 
-/// Returns [F, n] (H + D) v, with H the Hessians of frames and differences, and D = damping[f] on
-/// the diagonal of frame f.
+/// Returns [F, n] (H + D) v, with H of frames and differences, and damping[f] on D's diagonal.
 JointRows multiply(const DifferenceCurvature& between, const MovementPoint& point,
                    const JointVector& damping, const JointRows& v);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/solve/constants.hpp"
 #include "core/solve/envelope_cholesky.hpp"
 
 namespace morphe::solve {
@@ -16,12 +17,11 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
                     BandCholesky& hessian) {
   const Index frames = point.q.rows(), n = point.q.cols();
   for (Index f = first; f < frames; ++f) {
-    const auto frame = static_cast<std::size_t>(f);
-    hessian.clear_row(frame);
-    auto own = hessian.diagonal_block(frame);
-    own = point.models[frame].hessian;
+    hessian.clear_row(f);
+    auto own = hessian.diagonal_block(f);
+    own = point.models[f].hessian;
     own.diagonal().array() += damping[f];
-    own.diagonal() += between[frame].col(0);
+    own.diagonal() += between[f].col(0);
     for (Index j = 0; j < n; ++j) {
       if (!held(f, j)) continue;
       own.row(j).setZero();
@@ -29,67 +29,60 @@ void damped_hessian(const DifferenceCurvature& between, const MovementPoint& poi
       own(j, j) = 1;
     }
     for (Index before = 1; before <= std::min(f, BandCholesky::kBandBlocks); ++before) {
-      auto joined = hessian.off_diagonal(frame, before);
-      for (Index j = 0; j < n; ++j) {
-        if (!held(f, j) && !held(f - before, j)) joined[j] = between[frame](j, before);
-      }
+      auto joined = hessian.off_diagonal(f, before);
+      for (Index j = 0; j < n; ++j)
+        if (!held(f, j) && !held(f - before, j)) joined[j] = between[f](j, before);
     }
   }
 }
 
-/// Holds free variables that the step would move out of the bounds, at these bounds, and frees held
-/// variables that the model's gradient moves back inside. Returns the largest violation of the
-/// bounds, and the first frame that changed.
+/// Holds free variables at the bounds that the step would cross, and frees held variables that the
+/// model's gradient moves inside. Returns the largest violation; sets the first changed frame.
 double update_active_set(const MovementProblem& problem, const JointRows& q, const JointRows& slope,
                          JointRows& step, ActiveSet& held, Index& first) {
-  double outside = 0;
+  double max_violation = 0;
   first = q.rows();
   for (Index f = 0; f < q.rows(); ++f) {
     for (Index j = 0; j < q.cols(); ++j) {
-      const double to = q(f, j) + step(f, j), lower = problem.lower[j], upper = problem.upper[j];
+      const double x = q(f, j) + step(f, j), lower = problem.lower[j], upper = problem.upper[j];
       if (held(f, j)) {
-        const double inwards = to > 0.5 * (lower + upper) ? slope(f, j) : -slope(f, j);
+        const double inwards = x > 0.5 * (lower + upper) ? slope(f, j) : -slope(f, j);
         if (inwards <= 0) continue;
         held(f, j) = false;
         first = std::min(first, f);
       } else {
-        if (to >= lower && to <= upper) continue;
-        step(f, j) = (to < lower ? lower : upper) - q(f, j);
+        if (x >= lower && x <= upper) continue;
+        step(f, j) = (x < lower ? lower : upper) - q(f, j);
         held(f, j) = true;
         first = std::min(first, f);
-        outside = std::max(outside, std::max(lower - to, to - upper));
+        max_violation = std::max(max_violation, std::max(lower - x, x - upper));
       }
     }
   }
-  return outside;
+  return max_violation;
 }
 
-/// Removes the negative curvature from every frame's own model, as far as it is in the subspace of
-/// free variables and not outweighed by the damping, one direction at a time as found by the
-/// factorisation.
+/// Removes negative curvature from every frame's own model, in the subspace of free variables and
+/// where the damping does not outweigh it, v by v as the factorisation finds them.
 void make_convex(MovementPoint& point, const ActiveSet& held, const JointVector& damping) {
-  constexpr double kMinCurvatureRatio = 1e-9;  // relative to the largest curvature
   EnvelopeCholesky factor;
   std::vector<char> own_held(held.cols());
-  JointVector down;
+  JointVector v;
   for (Index f = 0; f < point.q.rows(); ++f) {
     Eigen::MatrixXd& hessian = point.models[f].hessian;
     for (Index j = 0; j < held.cols(); ++j) own_held[j] = held(f, j);
-    const double least = kMinCurvatureRatio * hessian.diagonal().cwiseAbs().maxCoeff();
+    const double min_curvature = kMinCurvatureRatio * hessian.diagonal().cwiseAbs().maxCoeff();
     for (Index k = 0; k < 2 * held.cols(); ++k) {
       if (factor.factorise(hessian, damping[f], own_held)) break;
-      down = factor.negative_curvature_direction.normalized();
-      hessian += (std::max(damping[f] - factor.curvature, least) * down) * down.transpose();
+      v = factor.negative_curvature_direction.normalized();
+      hessian += (std::max(damping[f] - factor.curvature, min_curvature) * v) * v.transpose();
     }
   }
 }
 
-/// Computes damped_step() with the given damping.
 bool active_set_step(const MovementProblem& problem, const DifferenceCurvature& between,
                      MovementPoint& now, const JointRows& g, const JointVector& damping,
                      BandCholesky& hessian, JointRows& step) {
-  constexpr int kMaxActiveSetChanges = 3;
-  constexpr double kBoundTolerance_rad = 1e-4;  // that may be removed by clamping
   const Index frames = now.q.rows(), n = now.q.cols();
   ActiveSet held(frames, n);
   for (Index f = 0; f < frames; ++f) {
@@ -107,12 +100,12 @@ bool active_set_step(const MovementProblem& problem, const DifferenceCurvature& 
       damped_hessian(between, now, held, damping, 0, hessian);
       if (!hessian.factorise()) return false;
     }
-    JointRows right = held.select(0, -g);
+    JointRows right_side = held.select(0, -g);
     if (change > 0) {
       const JointRows held_step = held.select(step, 0);
-      right = held.select(held_step, right - multiply(between, now, damping, held_step));
+      right_side = held.select(held_step, right_side - multiply(between, now, damping, held_step));
     }
-    JointVector solved = Eigen::Map<const JointVector>(right.data(), right.size());
+    JointVector solved = Eigen::Map<const JointVector>(right_side.data(), right_side.size());
     hessian.solve(solved);
     step = Eigen::Map<const JointRows>(solved.data(), frames, n);
     const JointRows slope = g + multiply(between, now, damping, step);
@@ -121,15 +114,13 @@ bool active_set_step(const MovementProblem& problem, const DifferenceCurvature& 
   return true;
 }
 
-/// Damps frames whose steps exceed the range of validity of the models; returns false if there are
-/// no such frames.
+/// Damps frames whose steps exceed the models' range of validity; returns true if any does.
 bool damp_long_steps(const JointRows& g, const JointRows& step, JointVector& damping) {
-  constexpr double kMaxStep_rad = 0.5;  // of any variable
   bool any = false;
   for (Index f = 0; f < step.rows(); ++f) {
-    const double ratio = step.row(f).cwiseAbs().maxCoeff() / kMaxStep_rad;
-    if (ratio <= 1.5) continue;
-    // Assumes that the whole step is along a direction of one curvature.
+    const double ratio = step.row(f).cwiseAbs().maxCoeff() / kMaxFrameStep_rad;
+    if (ratio <= kFrameStepExcessFactor) continue;
+    // Assumes that the whole step is along a v of one curvature.
     const double curvature = std::abs(g.row(f).dot(step.row(f))) / step.row(f).squaredNorm();
     damping[f] += std::max(damping[f], (ratio - 1) * curvature);
     any = true;
@@ -141,12 +132,10 @@ bool damp_long_steps(const JointRows& g, const JointRows& step, JointVector& dam
 
 bool damped_step(const MovementProblem& problem, const DifferenceCurvature& between,
                  MovementPoint& now, JointVector& damping, BandCholesky& hessian, JointRows& step) {
-  constexpr int kMaxAttempts = 5;
   const JointRows g = gradient(problem, now);
   bool solved = active_set_step(problem, between, now, g, damping, hessian, step);
-  for (int k = 0; k < kMaxAttempts && solved && damp_long_steps(g, step, damping); ++k) {
+  for (int k = 0; k < kMaxLongStepDampings && solved && damp_long_steps(g, step, damping); ++k)
     solved = active_set_step(problem, between, now, g, damping, hessian, step);
-  }
   return solved;
 }
 

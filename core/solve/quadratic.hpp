@@ -6,9 +6,8 @@
 
 namespace morphe::solve {
 
-/// A local quadratic model of a sum of terms at a point: value, gradient and Hessian. The Hessian
-/// is positive semidefinite (Gauss–Newton) or, if requested, exact and then possibly indefinite. A
-/// least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
+/// A local quadratic model of a sum of terms: value, gradient and Hessian, positive semidefinite
+/// (Gauss–Newton) or exact. A least-squares term r(q) adds r², 2 Jᵀr and 2 JᵀJ.
 struct Quadratic {
   double value = 0;
   JointVector gradient;     ///< [n]

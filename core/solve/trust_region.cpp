@@ -5,69 +5,67 @@
 #include <cmath>
 #include <utility>
 
+#include "core/solve/constants.hpp"
+
 namespace morphe::solve {
 namespace {
 
 using Eigen::Index;
 
 struct Step {
-  double max_change = 0;           ///< largest entry
-  double predicted_reduction = 0;  ///< decrease that the model predicts
+  double max_change = 0;  ///< of a variable
+  double predicted_reduction = 0;
 };
 
 /// Computes product = (H + damping I) v.
-void multiply(const Quadratic& at, double damping, const JointVector& v, JointVector& product) {
-  product.noalias() = at.hessian * v;
+void multiply(const Quadratic& model, double damping, const JointVector& v, JointVector& product) {
+  product.noalias() = model.hessian * v;
   product += damping * v;
 }
 
-/// Computes Newton's step from x + step in the free variables into `scratch.move`; returns false if
-/// the Hessian is not positive definite there.
+/// Computes Newton's step of the free variables into `scratch.move` if H is positive definite.
 bool newton_step(double damping, TrustRegionScratch& scratch) {
   if (!scratch.factor.factorise(scratch.now.hessian, damping, scratch.held)) return false;
   scratch.move = -scratch.model_gradient;
-  for (Index j = 0; j < scratch.move.size(); ++j) {
+  for (Index j = 0; j < scratch.move.size(); ++j)
     if (scratch.held[j]) scratch.move[j] = 0;
-  }
   scratch.factor.solve(scratch.move);
   return true;
 }
 
-/// Returns the held variable whose release decreases the model most, -1 if there is no such
-/// variable.
+/// Returns the held variable whose release decreases the model fastest, or -1.
 Index variable_to_release(const BoundedProblem& problem, const TrustRegionScratch& scratch) {
-  Index worst = -1;
-  double most = 0;
+  Index released = -1;
+  double max_slope = 0;
   for (Index j = 0; j < scratch.x.size(); ++j) {
     if (!scratch.held[j]) continue;
     const bool upper = scratch.x[j] + scratch.step[j] >= problem.upper[j];
-    const double inwards = upper ? scratch.model_gradient[j] : -scratch.model_gradient[j];
-    if (inwards > most) {
-      most = inwards;
-      worst = j;
+    const double slope = upper ? scratch.model_gradient[j] : -scratch.model_gradient[j];
+    if (slope > max_slope) {
+      max_slope = slope;
+      released = j;
     }
   }
-  return worst;
+  return released;
 }
 
-/// Adds the move to the step up to the first bound, and holds the variable that reaches it. Returns
-/// false if no bound was reached.
+/// Adds the move up to the first bound; returns true if a variable reached it, which is now held.
 bool step_to_bound(const BoundedProblem& problem, double damping, TrustRegionScratch& scratch) {
-  double share = 1;
+  double fraction = 1;
   Index stopped = -1;
   for (Index j = 0; j < scratch.x.size(); ++j) {
-    const double from = scratch.x[j] + scratch.step[j], to = from + scratch.move[j];
-    const double bound = std::clamp(to, problem.lower[j], problem.upper[j]);
-    if (bound == to || scratch.held[j]) continue;
-    const double possible = std::max(0.0, (bound - from) / scratch.move[j]);
-    if (possible < share) {
-      share = possible;
+    const double begin = scratch.x[j] + scratch.step[j], end = begin + scratch.move[j];
+    const double bound = std::clamp(end, problem.lower[j], problem.upper[j]);
+    if (bound == end || scratch.held[j]) continue;
+    const double possible = std::max(0.0, (bound - begin) / scratch.move[j]);
+    if (possible < fraction) {
+      fraction = possible;
       stopped = j;
     }
   }
   multiply(scratch.now, damping, scratch.move, scratch.hessian_product);
-  scratch.step += share * scratch.move;
-  scratch.model_gradient += share * scratch.hessian_product;
+  scratch.step += fraction * scratch.move;
+  scratch.model_gradient += fraction * scratch.hessian_product;
   if (stopped < 0) return false;
   const bool upper = scratch.move[stopped] > 0;
   scratch.step[stopped] = (upper ? problem.upper : problem.lower)[stopped] - scratch.x[stopped];
@@ -75,10 +73,9 @@ bool step_to_bound(const BoundedProblem& problem, double damping, TrustRegionScr
   return true;
 }
 
-/// Minimises the model within the bounds into `scratch.step`, from one active set to the next,
-/// always decreasing the model. Returns false if the Hessian is not positive definite, or if the
-/// step is much too long.
-bool minimise_model(const BoundedProblem& problem, double damping, double longest,
+/// Minimises the model within the bounds into `scratch.step`, from active set to active set, always
+/// decreasing it. Returns false if H is not positive definite or a move is above max_change.
+bool minimise_model(const BoundedProblem& problem, double damping, double max_change,
                     TrustRegionScratch& scratch) {
   const Index n = scratch.x.size();
   scratch.step.setZero(n);
@@ -88,9 +85,9 @@ bool minimise_model(const BoundedProblem& problem, double damping, double longes
                           (scratch.x[j] >= problem.upper[j] && scratch.model_gradient[j] < 0);
     scratch.held[j] = outwards ? 1 : 0;
   }
-  for (Index change = 0; change < 3 * n; ++change) {
+  for (Index change = 0; change < kActiveSetChangesPerVariable * n; ++change) {
     if (!newton_step(damping, scratch)) return false;
-    if (scratch.move.cwiseAbs().maxCoeff() > longest) {
+    if (scratch.move.cwiseAbs().maxCoeff() > max_change) {
       scratch.step += scratch.move;
       return false;
     }
@@ -104,28 +101,26 @@ bool minimise_model(const BoundedProblem& problem, double damping, double longes
 
 /// Computes the step within the bounds, damped until its entries are near or below the radius.
 Step trust_region_step(const BoundedProblem& problem, double radius, TrustRegionScratch& scratch) {
-  // Without a minimum damping, directions of zero curvature would amplify round-off.
-  constexpr double kMinDampingRatio = 1e-12, kNoDampingRatio = 1e-6;
-  const double largest = scratch.now.hessian.diagonal().cwiseAbs().maxCoeff();
-  double damping = kMinDampingRatio * largest;
-  // A smaller damping is mostly insufficient: a good part of the last step's damping is needed
-  // again.
-  if (scratch.damping > kNoDampingRatio * largest)
-    damping = std::max(damping, scratch.damping / 30);
-  for (int attempt = 0; attempt < 40; ++attempt) {
+  const double max_curvature = scratch.now.hessian.diagonal().cwiseAbs().maxCoeff();
+  double damping = kMinDampingRatio * max_curvature;
+  // A good part of the last step's damping is mostly needed again.
+  if (scratch.damping > kNoDampingRatio * max_curvature)
+    damping = std::max(damping, scratch.damping / kLastDampingDivisor);
+  for (int attempt = 0; attempt < kMaxDampings; ++attempt) {
     scratch.factor.missing_damping = 0;
-    if (minimise_model(problem, damping, 1.5 * radius, scratch)) break;
+    if (minimise_model(problem, damping, kRadiusExcessFactor * radius, scratch)) break;
     if (scratch.factor.missing_damping > 0) {
-      // The last step's damping indicates the order of magnitude; more than needed would cost
-      // steps.
-      damping += std::max({3 * damping, 2 * scratch.factor.missing_damping, 0.3 * scratch.damping});
+      // The last step's damping tells the magnitude; more than needed would cost steps.
+      damping += std::max({kDampingGrowth * damping,
+                           kMissingDampingFactor * scratch.factor.missing_damping,
+                           kLastDampingShare * scratch.damping});
       continue;
     }
     // Assumes that the whole step is along a direction of the model's mean curvature along it.
     multiply(scratch.now, damping, scratch.step, scratch.hessian_product);
-    const double damped = scratch.step.dot(scratch.hessian_product) / scratch.step.squaredNorm();
+    const double curvature = scratch.step.dot(scratch.hessian_product) / scratch.step.squaredNorm();
     const double ratio = scratch.step.cwiseAbs().maxCoeff() / radius;
-    damping += std::max(damping, (ratio - 1) * damped);
+    damping += std::max(damping, (ratio - 1) * curvature);
   }
   scratch.damping = damping;
   multiply(scratch.now, 0, scratch.step, scratch.hessian_product);
@@ -151,17 +146,14 @@ Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& 
   evaluate(scratch.x, scratch.now);
 
   // Along a curved valley, a good step leaves the bottom and only pays off when the next ones are
-  // back on it: up to kMaxUphillSteps steps may increase F before the search returns to the last
-  // checkpoint.
-  constexpr int kMaxUphillSteps = 3;
-  constexpr double kInitialRadius_rad = 0.1, kMaxRadius_rad = 0.5;  // of any variable
+  // back on it, so some steps may increase F before the search returns to the last checkpoint.
   double radius = kInitialRadius_rad;
-  Step left;
+  Step checkpoint_step;
   int uphill = 0;
   const auto restore_checkpoint = [&] {
     scratch.x.swap(scratch.checkpoint_x);
     std::swap(scratch.now, scratch.checkpoint);
-    radius = std::min(radius, left.max_change) / 4;
+    radius = std::min(radius, checkpoint_step.max_change) / kRadiusFallFactor;
     uphill = 0;
   };
   while (result.evaluations < options.max_evaluations) {
@@ -183,21 +175,21 @@ Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& 
     }
     evaluate(scratch.trial, scratch.next);
     const double gain = scratch.now.value - scratch.next.value;
-    const bool better =
-        uphill > 0 ? scratch.checkpoint.value - scratch.next.value > 1e-4 * left.predicted_reduction
-                   : gain > 1e-4 * step.predicted_reduction;
+    const Step& judged = uphill > 0 ? checkpoint_step : step;
+    const double total_gain = uphill > 0 ? scratch.checkpoint.value - scratch.next.value : gain;
+    const bool better = total_gain > kMinDecreaseShare * judged.predicted_reduction;
     if (!better && uphill == kMaxUphillSteps) {
       restore_checkpoint();
       continue;
     }
     if (better) {
       uphill = 0;
-      if (gain > 0.5 * step.predicted_reduction)
-        radius = std::clamp(2 * step.max_change, radius, kMaxRadius_rad);
+      if (gain > kWideningDecreaseShare * step.predicted_reduction)
+        radius = std::clamp(kRadiusRiseFactor * step.max_change, radius, kMaxRadius_rad);
     } else if (uphill++ == 0) {
       scratch.checkpoint_x = scratch.x;
       std::swap(scratch.checkpoint, scratch.now);
-      left = step;
+      checkpoint_step = step;
     }
     scratch.x.swap(scratch.trial);
     std::swap(scratch.now, scratch.next);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/solve/bounded_problem.hpp"
 #include "core/solve/envelope_cholesky.hpp"
-#include "core/solve/minimise.hpp"
 
 namespace morphe::solve {
 
@@ -16,10 +16,10 @@ struct TrustRegionScratch {
 
 /// Minimises by Newton's method in a trust region. Each step minimises the model
 ///   g·δ + ½ δᵀ (H + μ I) δ  subject to lower <= x + δ <= upper
-/// by an active set method. H is the exact Hessian; μ makes it positive definite and keeps the step
-/// within the trust region. A few consecutive steps may increase F, because the bottom of a curved
-/// valley is left and reached again. It stops if the predicted decrease is less than
-/// relative_tolerance of F.
+/// by an active set method. H is the exact Hessian; μ makes H + μ I positive definite and keeps the
+/// step within the trust region. A few consecutive steps may increase F, because the bottom of a
+/// curved valley is left and reached again. It stops by the tolerances on the predicted decrease
+/// and on the step, or after max_evaluations.
 Minimum minimise_trust_region(const BoundedProblem& problem, const JointVector& start,
                               const MinimiseOptions& options, TrustRegionScratch& scratch);
 

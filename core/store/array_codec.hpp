@@ -11,9 +11,8 @@
 
 namespace morphe::store {
 
-/// Defines how one element of an array of plain structs is stored in a file: `Scalar`, the trailing
-/// dimensions, and the conversion in both directions, bit for bit. Rotations are stored as w, x, y,
-/// z, poses as row-major 4 x 4.
+/// Defines how one element of an array is stored in a file, bit for bit: as `size` values of type
+/// `Scalar`, which add shape() to the array's dimensions.
 template <class T>
 struct ItemCodec {
   static_assert(std::is_same_v<T, double> || std::is_same_v<T, std::int32_t> ||
@@ -21,7 +20,7 @@ struct ItemCodec {
   using Scalar = typename std::conditional_t<std::is_enum_v<T>, std::underlying_type<T>,
                                              std::type_identity<T>>::type;
   static constexpr std::size_t size = 1;
-  /// Returns the trailing dimensions.
+  /// Returns the dimensions of one element.
   static Hdf5Shape shape() { return {}; }
   /// Converts a value to scalars.
   static void encode(const T& value, Scalar* out) { *out = static_cast<Scalar>(value); }
@@ -29,38 +28,28 @@ struct ItemCodec {
   static void decode(const Scalar* in, T& value) { value = static_cast<T>(*in); }
 };
 
-/// The codec of points with three coordinates.
-template <class Point>
-struct PointCodec {
-  using Scalar = typename Point::Scalar;
-  static constexpr std::size_t size = 3;
+/// The codec of values whose scalars are adjacent in memory.
+template <class T, class ScalarType, std::size_t scalar_count>
+struct ContiguousCodec {
+  using Scalar = ScalarType;
+  static constexpr std::size_t size = scalar_count;
   static Hdf5Shape shape() { return {size}; }
-  static void encode(const Point& value, Scalar* out) {
+  static void encode(const T& value, Scalar* out) {
     std::memcpy(out, value.data(), sizeof(Scalar) * size);
   }
-  static void decode(const Scalar* in, Point& value) {
+  static void decode(const Scalar* in, T& value) {
     std::memcpy(value.data(), in, sizeof(Scalar) * size);
   }
 };
 /// The codec of points.
 template <>
-struct ItemCodec<Vec3> : PointCodec<Vec3> {};
+struct ItemCodec<Vec3> : ContiguousCodec<Vec3, double, 3> {};
 /// The codec of triangles.
 template <>
-struct ItemCodec<Eigen::Vector3i> : PointCodec<Eigen::Vector3i> {};
-
+struct ItemCodec<Eigen::Vector3i> : ContiguousCodec<Eigen::Vector3i, std::int32_t, 3> {};
 /// The codec of pairs of indices.
 template <>
-struct ItemCodec<std::array<int, 2>> {
-  using Scalar = std::int32_t;
-  static constexpr std::size_t size = 2;
-  static Hdf5Shape shape() { return {size}; }
-  static void encode(const std::array<int, 2>& value, Scalar* out) {
-    out[0] = value[0];
-    out[1] = value[1];
-  }
-  static void decode(const Scalar* in, std::array<int, 2>& value) { value = {in[0], in[1]}; }
-};
+struct ItemCodec<std::array<int, 2>> : ContiguousCodec<std::array<int, 2>, std::int32_t, 2> {};
 
 /// The codec of rotations, stored as w, x, y, z.
 template <>
@@ -94,15 +83,15 @@ struct ItemCodec<Pose> {
   }
 };
 
-/// Appends the trailing dimensions of an element to a shape.
+/// Appends the dimensions of an element to a shape.
 template <class T>
 Hdf5Shape with_item_shape(Hdf5Shape shape) {
   for (const std::size_t size : ItemCodec<T>::shape()) shape.push_back(size);
   return shape;
 }
 
-/// Defines how a whole array is stored: `Scalar`, the shape that readers require, and the
-/// conversion in both directions.
+/// Defines how a whole array is stored, with elements of type `Scalar`. Arrays that are decoded
+/// must have the required shape.
 template <class T>
 struct ArrayCodec {  // a single value
   using Scalar = typename ItemCodec<T>::Scalar;
@@ -159,31 +148,27 @@ struct ArrayCodec<Array2D<T>> {
   }
 };
 
+/// The codec of matrices, which must be row-major in memory as in the file, and of vectors.
+template <class Matrix>
+struct MatrixCodec {
+  using Scalar = double;
+  static constexpr int rank = Matrix::IsVectorAtCompileTime ? 1 : 2;
+  static Hdf5Shape shape() { return Hdf5Shape(rank, kAnyLength); }
+  static Hdf5Array<double> encode(const Matrix& matrix) {
+    Hdf5Shape dims(1, matrix.rows());
+    if (rank == 2) dims.push_back(matrix.cols());
+    return {dims, {matrix.data(), matrix.data() + matrix.size()}};
+  }
+  static void decode(const Hdf5Array<double>& array, Matrix& matrix) {
+    matrix =
+        Eigen::Map<const Matrix>(array.values.data(), array.dims[0], rank == 2 ? array.dims[1] : 1);
+  }
+};
 /// The codec of joint vectors.
 template <>
-struct ArrayCodec<JointVector> {
-  using Scalar = double;
-  static Hdf5Shape shape() { return {kAnyLength}; }
-  static Hdf5Array<double> encode(const JointVector& vector) {
-    return {{static_cast<std::size_t>(vector.size())}, {vector.begin(), vector.end()}};
-  }
-  static void decode(const Hdf5Array<double>& array, JointVector& vector) {
-    vector = Eigen::Map<const JointVector>(array.values.data(), array.values.size());
-  }
-};
-
+struct ArrayCodec<JointVector> : MatrixCodec<JointVector> {};
 /// The codec of matrices with one row of joint values per sample.
 template <>
-struct ArrayCodec<JointRows> {
-  using Scalar = double;
-  static Hdf5Shape shape() { return {kAnyLength, kAnyLength}; }
-  static Hdf5Array<double> encode(const JointRows& rows) {
-    return {{static_cast<std::size_t>(rows.rows()), static_cast<std::size_t>(rows.cols())},
-            {rows.data(), rows.data() + rows.size()}};
-  }
-  static void decode(const Hdf5Array<double>& array, JointRows& rows) {
-    rows = Eigen::Map<const JointRows>(array.values.data(), array.dims[0], array.dims[1]);
-  }
-};
+struct ArrayCodec<JointRows> : MatrixCodec<JointRows> {};
 
 }  // namespace morphe::store

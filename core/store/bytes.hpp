@@ -9,8 +9,8 @@
 
 namespace morphe::store {
 
-/// Serialises the data that the files of docs/formats.md store, as plain bytes (bytes_layout.hpp):
-/// bit for bit, and without data that the files do not store.
+/// Serialises a plan, as bytes_layout.hpp describes, bit for bit: the data that the files of
+/// docs/formats.md store of it, its demonstration and its index.
 std::string bytes_of(const Plan& plan);
 /// Serialises a demonstration.
 std::string bytes_of(const Demonstration& demonstration);

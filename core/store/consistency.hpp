@@ -8,11 +8,11 @@
 
 namespace morphe::store {
 
-/// Returns the first inconsistency between the arrays of a struct, that is, different lengths or
-/// indices out of range, as "goals/tip_position: has 3 rows, not 4" with the path below the
-/// struct's group, or "" if there is no inconsistency. It is called before writing and after
-/// reading, so that no code reads out of bounds. The values of a demonstration are checked against
-/// bounds (input_bounds.hpp); other values (limits, times, unit norms) are not checked.
+/// Returns the first inconsistency between the arrays of a demonstration, such as different lengths
+/// or an index out of range, else its first value outside of the bounds of input_bounds.hpp, "" if
+/// there is neither. The text begins with the path below the struct's group: "goals/tip_position:
+/// has 3 rows, not 4". The check before writing and after reading keeps code from reading out of
+/// bounds. Values of robots and plans (limits, times, unit norms) are not checked.
 std::string inconsistency(const Demonstration& demonstration);
 /// Returns the first inconsistency of a robot.
 std::string inconsistency(const RobotModel& robot);

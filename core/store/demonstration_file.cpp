@@ -18,17 +18,16 @@ constexpr int kDemonstrationVersion = 2;
 
 }  // namespace
 
-// Members are destroyed in reverse order: groups, then the file, then the unfinished file on disk
-// is removed.
+// Members are destroyed in reverse order: `output` after `file`, to remove an unfinished file.
 struct DemonstrationWriter::State {
-  files::AtomicFile part;
+  files::AtomicFile output;
   Hdf5File file;
   Hdf5Group demonstrations;
 };
 
 DemonstrationWriter::DemonstrationWriter(const std::filesystem::path& path)
     : state_(new State{files::AtomicFile(path), {}, {}}) {
-  state_->file = Hdf5File::create(state_->part.part());
+  state_->file = Hdf5File::create(state_->output.part());
   state_->file.set_display_name(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kDemonstrationFormat, kDemonstrationVersion);
@@ -49,7 +48,7 @@ void DemonstrationWriter::add(const Demonstration& demonstration) {
 void DemonstrationWriter::finish() {
   state_->demonstrations = {};
   state_->file.close();
-  state_->part.commit();
+  state_->output.commit();
 }
 
 struct DemonstrationReader::State {
@@ -90,12 +89,10 @@ void DemonstrationReader::expect_unchanged() const { state_->file.expect_unchang
 
 std::size_t DemonstrationReader::longest_stream_samples(const std::string& name) const {
   const Hdf5Group demonstration = state_->demonstrations.open(name);
-  std::size_t most = 0;
-  for (const char* stream : {"markers", "sensors", "skeleton", "arm_angles", "hand"}) {
-    if (!demonstration.has(stream)) continue;
-    most = std::max(most, demonstration.open(stream).length("time"));
-  }
-  return most;
+  std::size_t max = 0;
+  for (const char* stream : {"markers", "sensors", "skeleton", "arm_angles", "hand"})
+    if (demonstration.has(stream)) max = std::max(max, demonstration.open(stream).length("time"));
+  return max;
 }
 
 }  // namespace morphe::store

@@ -14,8 +14,7 @@ namespace morphe::store {
 
 /// Writes demonstrations.h5 (docs/formats.md). finish() makes the complete, synced file appear at
 /// its path; without it no file is left behind. Throws InputError for a name that is empty, in use
-/// or contains '/', for arrays of one stream that differ in length, and for write errors of the
-/// disk.
+/// or contains '/', for inconsistent data (consistency.hpp), and for write errors of the disk.
 class MORPHE_EXPORT DemonstrationWriter {
  public:
   /// Creates the file.

@@ -64,8 +64,8 @@ inline bool has_streams(const Streams& s) {
   return s.markers || s.sensors || s.skeleton || s.arm_angles || s.hand;
 }
 
-/// Lays out /demonstrations/<name> of docs/formats.md. Items that files of other programs may omit
-/// keep their defaults.
+/// Lays out /demonstrations/<name> of docs/formats.md. Items that files of other programs omit keep
+/// their defaults.
 template <class Io, class T>
 void lay_out_demonstration(Io& io, T& demo) {
   io.optional_attribute("subject", demo.subject);

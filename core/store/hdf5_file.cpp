@@ -20,15 +20,14 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, Hdf5Id::Id> && std::is_same_v<herr_t, int>);
 
-// Up to this number, groups and attributes are stored in the object header, which is far smaller
-// than the heaps and trees that HDF5 creates beyond it.
+// Up to this number, the links or attributes of a group are stored in its object header, which is
+// far smaller than the heaps and trees that HDF5 creates for more of them.
 constexpr unsigned kMaxCompactEntries = 64;
 constexpr unsigned kMinDenseEntries = 32;
 
 constexpr std::size_t kMetadataCacheBytes = std::size_t{256} << 10;
 
-/// Sets the properties of a group's (or the root's) creation that make its bytes reproducible and
-/// its links ordered.
+/// Sets the properties that make the bytes of a new group reproducible and its links ordered.
 void describe_group(hid_t properties) {
   H5Pset_obj_track_times(properties, false);
   H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -40,14 +39,12 @@ Hdf5Id properties(hid_t kind) { return {H5Pcreate(kind), H5Pclose}; }
 
 /// Suppresses the error messages that HDF5 prints, which must be done in every thread.
 void silence_hdf5_errors() {
-  thread_local const bool told = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
-  static_cast<void>(told);
+  [[maybe_unused]] thread_local const bool off = H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
 }
 
 /// Disables external links, so that links into other files cannot be followed.
 void disable_external_links() {
-  static const bool told = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
-  static_cast<void>(told);
+  [[maybe_unused]] static const bool disabled = H5Lunregister(H5L_TYPE_EXTERNAL) >= 0;
 }
 
 Hdf5Id access_properties() {
@@ -57,8 +54,7 @@ Hdf5Id access_properties() {
   // Uses checksummed headers, and no tree for a dataset of one chunk.
   H5Pset_libver_bounds(access.get(), H5F_LIBVER_V110, H5F_LIBVER_V110);
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-  // Bounds the memory independently of the file size. In memory, an entry takes about 16 times its
-  // bytes.
+  // Bounds the cache whatever the file's size; in memory an entry takes about 16 times its bytes.
   H5AC_cache_config_t cache{};
   cache.version = H5AC__CURR_CACHE_CONFIG_VERSION;
   H5Pget_mdc_config(access.get(), &cache);
@@ -71,18 +67,18 @@ Hdf5Id access_properties() {
   return access;
 }
 
-/// The callback of an iteration over links; an exception is stored here until HDF5 has returned.
+/// A function to be called for each link, and its exception, kept until HDF5 has returned.
 struct Visit {
   const std::function<void(const std::string&)>& call;
   std::exception_ptr thrown;
 };
 
-herr_t visit_link(hid_t, const char* name, const H5L_info_t*, void* visit) {
-  auto* const visited = static_cast<Visit*>(visit);
+herr_t visit_link(hid_t, const char* name, const H5L_info_t*, void* data) {
+  auto* const state = static_cast<Visit*>(data);
   try {
-    visited->call(name);
+    state->call(name);
   } catch (...) {
-    visited->thrown = std::current_exception();
+    state->thrown = std::current_exception();
     return -1;
   }
   return 0;
@@ -112,8 +108,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) 
   Hdf5File file;
   const Hdf5Id access = access_properties();
   write_through_output_driver(access.get(), disk);
-  // Does not allocate space in advance: HDF5 keeps a list, in memory, of the remainder of each such
-  // block.
+  // Allocates no blocks in advance, of whose unused rests HDF5 would keep a list in memory.
   H5Pset_meta_block_size(access.get(), 0);
   H5Pset_small_data_block_size(access.get(), 0);
   const Hdf5Id creation = properties(H5P_FILE_CREATE);
@@ -127,15 +122,13 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) 
 Hdf5File Hdf5File::open(const std::filesystem::path& path) {
   Hdf5File file;
   file.name_ = path.string();
-  struct stat found {};
-  if (::stat(path.c_str(), &found) != 0 || ::access(path.c_str(), R_OK) != 0)
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || ::access(path.c_str(), R_OK) != 0)
     throw InputError(fmt::format("{}: cannot be opened: {}", file.name_, std::strerror(errno)));
-  if (!S_ISREG(found.st_mode))
-    throw InputError(fmt::format("{}: is not a regular file", file.name_));
+  if (!S_ISREG(status.st_mode)) throw InputError(file.name_ + ": is not a regular file");
   const Hdf5Id access = access_properties();
   file.id_ = {H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose};
-  if (!file.id_.valid())
-    throw InputError(fmt::format("{}: is not a readable HDF5 file", file.name_));
+  if (!file.id_.valid()) throw InputError(file.name_ + ": is not a readable HDF5 file");
   file.opened_ = file.state();
   return file;
 }
@@ -218,15 +211,15 @@ void Hdf5Group::each_child(const std::function<void(const std::string&)>& visit)
   const Hdf5Id creation(H5Gget_create_plist(id_.get()), H5Pclose);
   if (creation.valid()) H5Pget_link_creation_order(creation.get(), &order);
   const H5_index_t index = (order & H5P_CRT_ORDER_TRACKED) ? H5_INDEX_CRT_ORDER : H5_INDEX_NAME;
-  const std::function<void(const std::string&)> named = [&](const std::string& name) {
+  const std::function<void(const std::string&)> checked_visit = [&](const std::string& name) {
     if (!files::is_printable(name))
       fail(fmt::format("'{}' is not a valid name: it contains control characters", name));
     visit(name);
   };
-  Visit visited{named, nullptr};
-  const herr_t done = H5Literate(id_.get(), index, H5_ITER_INC, nullptr, visit_link, &visited);
-  if (visited.thrown) std::rethrow_exception(visited.thrown);
-  if (done < 0) fail("is not a readable group");
+  Visit state{checked_visit, nullptr};
+  const herr_t status = H5Literate(id_.get(), index, H5_ITER_INC, nullptr, visit_link, &state);
+  if (state.thrown) std::rethrow_exception(state.thrown);
+  if (status < 0) fail("is not a readable group");
 }
 
 void Hdf5Group::fail(const std::string& message) const {
@@ -259,15 +252,14 @@ void write_format(const Hdf5Group& root, const std::string& format, int version)
 }
 
 void check_format(const Hdf5Group& root, const std::string& format, int version) {
-  if (!root.has_attribute("format"))
-    root.fail(fmt::format("@format is missing; must be {}", format));
+  if (!root.has_attribute("format")) root.fail("@format is missing; must be " + format);
   std::string found;
   root.get("format", found);
   if (found != format) root.fail(fmt::format("is '{}', not '{}'", found, format));
-  std::int32_t number = 0;
-  root.get("version", number);
-  if (number != version)
-    root.fail(fmt::format("@version is {}; this program reads only version {}", number, version));
+  std::int32_t stored = 0;
+  root.get("version", stored);
+  if (stored != version)
+    root.fail(fmt::format("@version is {}; this program reads only version {}", stored, version));
 }
 
 }  // namespace morphe::store

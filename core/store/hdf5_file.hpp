@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/files/disk.hpp"
@@ -13,8 +14,7 @@
 
 namespace morphe::store {
 
-/// An HDF5 identifier that is closed in its destructor. (hdf5.h itself is only included in .cpp
-/// files.)
+/// An HDF5 identifier that is closed in its destructor. (This header does not need hdf5.h.)
 class Hdf5Id {
  public:
   using Id = std::int64_t;    ///< hid_t
@@ -30,8 +30,7 @@ class Hdf5Id {
   bool valid() const { return id_ >= 0; }
   /// Returns the identifier.
   Id get() const { return id_; }
-  /// Closes the identifier. Returns false if HDF5 could not close it (for a file, buffered data was
-  /// then not written).
+  /// Closes the identifier. Returns false if that failed, so that a file's data may be lost.
   bool reset();
 
  private:
@@ -39,25 +38,27 @@ class Hdf5Id {
   Close close_ = nullptr;
 };
 
+/// A dimension of any length, in a shape that a reader requires.
+inline constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
+/// The dimensions of a dataset.
+using Hdf5Shape = std::vector<std::size_t>;
+/// Returns true if the dimensions are those required, of which some may be kAnyLength.
+bool has_shape(const Hdf5Shape& dims, const Hdf5Shape& required);
+
 /// The values of a dataset, row-major.
 template <class T>
 struct Hdf5Array {
-  std::vector<std::size_t> dims;
+  Hdf5Shape dims;
   std::vector<T> values;
 };
 
 /// The content of a dataset or attribute of any type: numbers or texts.
 struct Hdf5Value {
-  std::vector<std::size_t> dims;
+  Hdf5Shape dims;
   bool is_text = false;
   std::vector<double> numbers;
   std::vector<std::string> texts;
 };
-
-/// A dimension of any length, in a shape that a reader requires.
-inline constexpr std::size_t kAnyLength = std::numeric_limits<std::size_t>::max();
-/// The dimensions of a dataset.
-using Hdf5Shape = std::vector<std::size_t>;
 
 /// A group of an open file. Datasets are chunked with a Fletcher-32 checksum, so that damage is
 /// detected when reading; those without elements are contiguous. Strings are UTF-8, written with
@@ -82,14 +83,11 @@ class Hdf5Group {
   /// Writes a text as a scalar dataset.
   void write_text(const std::string& name, const std::string& text) const;
 
-  /// Sets an attribute of this group, or of one of its datasets.
+  /// Sets an attribute of this group (".") or of one of its datasets.
   void set(const std::string& name, const std::string& text, const char* dataset = ".") const;
   /// Sets an attribute of this group.
-  void set(const std::string& name, double value) const;
-  /// Sets an attribute of this group.
-  void set(const std::string& name, std::int32_t value) const;
-  /// Sets an attribute of this group.
-  void set(const std::string& name, std::uint8_t value) const;
+  template <class T>
+  requires(std::is_arithmetic_v<T>) void set(const std::string& name, T value) const;
   /// Sets an attribute of this group.
   void set(const std::string& name, const std::vector<double>& values) const;
   /// Sets an attribute of this group.
@@ -101,14 +99,13 @@ class Hdf5Group {
   bool is_group(const std::string& name) const;
   /// Opens a group.
   Hdf5Group open(const std::string& name) const;
-  /// Returns the names of the links, in the order of their creation if the file stores it, else by
-  /// name.
+  /// Returns the names of the links, in order of creation if the file stores it, else by name.
   std::vector<std::string> children() const;
-  /// Visits these names one by one, without storing them.
+  /// Visits the names of the links one by one, in the same order, without storing them.
   void each_child(const std::function<void(const std::string&)>& visit) const;
-  /// Returns the first dimension of a dataset.
+  /// Returns the first dimension of a dataset; 1 for a scalar.
   std::size_t length(const std::string& name) const;
-  /// Reads a dataset of the given shape.
+  /// Reads a dataset, which must have the given shape (kAnyLength: any).
   template <class T>
   Hdf5Array<T> read(const std::string& name, const Hdf5Shape& shape) const;
   /// Reads a dataset of strings.
@@ -116,31 +113,23 @@ class Hdf5Group {
   /// Reads a scalar dataset with a text.
   std::string read_text(const std::string& name) const;
 
-  /// Reads a dataset of any type.
+  /// Reads a dataset with numbers or texts.
   Hdf5Value value(const std::string& name) const;
 
   /// Returns true if this group has the attribute.
   bool has_attribute(const std::string& name) const;
-  /// Returns the names of the attributes, sorted.
+  /// Returns the names of the attributes of this group or of one of its datasets, sorted.
   std::vector<std::string> attributes(const char* dataset = ".") const;
-  /// Reads an attribute of any type.
+  /// Reads an attribute with numbers or texts.
   Hdf5Value value_of_attribute(const std::string& name, const char* dataset = ".") const;
-  /// Reads an attribute of this group, or of one of its datasets.
-  void get(const std::string& name, std::string& text, const char* dataset = ".") const;
-  /// Reads an attribute of this group.
-  void get(const std::string& name, double& value) const;
-  /// Reads an attribute of this group.
-  void get(const std::string& name, std::int32_t& value) const;
-  /// Reads an attribute of this group.
-  void get(const std::string& name, std::uint8_t& value) const;
-  /// Reads an attribute of this group.
-  void get(const std::string& name, std::vector<double>& values) const;
-  /// Reads an attribute of this group.
-  void get(const std::string& name, std::vector<std::string>& values) const;
+  /// Reads an attribute of this group, or of one of its datasets: a scalar, a text, or a vector of
+  /// doubles or texts.
+  template <class T>
+  void get(const std::string& name, T& value, const char* dataset = ".") const;
 
   /// Throws InputError about this group.
   [[noreturn]] void fail(const std::string& message) const;
-  /// Throws InputError "path/below: message" unless the message is empty.
+  /// Throws InputError with a fault "item/below/this/group: message", unless the fault is "".
   void throw_if_fault(const std::string& fault) const;
   /// Throws InputError about an item of this group.
   [[noreturn]] void fail(const std::string& name, const std::string& message) const;
@@ -178,17 +167,18 @@ class Hdf5File {
  private:
   Hdf5Id id_;
   std::string name_;
+  /// The size of the file and the time of its last change.
   struct State {
     std::int64_t bytes = 0, seconds = 0, nanoseconds = 0;
     bool operator==(const State&) const = default;
-  } opened_;  ///< size and time of the last change
+  } opened_;
   State state() const;
   void expect_written(int error) const;
 };
 
 /// Writes the root attributes `format` and `version` [int].
 void write_format(const Hdf5Group& root, const std::string& format, int version);
-/// Throws InputError if the file has another format or a higher version.
+/// Throws InputError if the file has another format or another version.
 void check_format(const Hdf5Group& root, const std::string& format, int version);
 
 }  // namespace morphe::store

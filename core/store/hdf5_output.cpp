@@ -22,13 +22,13 @@ namespace {
 constexpr const char* kDriverName = "morphe-output";
 constexpr haddr_t kMaxFileBytes = (haddr_t{1} << 62) - 1;
 
-/// The file type of the driver; HDF5's own part comes first.
+/// The file type of the driver; the part that HDF5 knows must come first.
 struct Output {
-  H5FD_t known;
+  H5FD_t hdf5_part;
   int descriptor;
   int error;
   files::Disk* disk;
-  int* report;  ///< receives the error in close_file(), or null
+  int* closing_error;  ///< receives the error in close_file(), or null
   haddr_t end_of_address, end_of_file;
 };
 
@@ -47,14 +47,14 @@ H5FD_t* open_file(const char* name, unsigned flags, hid_t properties, haddr_t) {
   if (descriptor < 0) return nullptr;
   auto* const file = new (std::nothrow) Output{{}, descriptor, 0, access->disk, nullptr, 0, 0};
   if (!file) ::close(descriptor);
-  return file ? &file->known : nullptr;
+  return file ? &file->hdf5_part : nullptr;
 }
 
-/// Closes the file and reports the last error, because closing writes too.
+/// Closes the file and reports its first error, which may be that of closing itself.
 herr_t close_file(H5FD_t* file) {
   Output& out = *output(file);
   if (::close(out.descriptor) != 0 && out.error == 0) out.error = errno;
-  if (out.report) *out.report = out.error;
+  if (out.closing_error) *out.closing_error = out.error;
   delete &out;
   return 0;
 }
@@ -83,37 +83,36 @@ herr_t get_handle(H5FD_t* file, hid_t, void** handle) {
 }
 
 /// Reads bytes; parts that were never written, or did not reach the disk, read as zeros.
-herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t count,
-                  void* buffer) {
+herr_t read_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, size_t count, void* buffer) {
   auto* to = static_cast<char*>(buffer);
   while (count > 0) {
-    const ssize_t got = ::pread(output(file)->descriptor, to, count, static_cast<off_t>(address));
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    to += got;
-    address += static_cast<haddr_t>(got);
-    count -= got;
+    const ssize_t read = ::pread(output(file)->descriptor, to, count, static_cast<off_t>(address));
+    if (read < 0 && errno == EINTR) continue;
+    if (read <= 0) break;
+    to += read;
+    address += static_cast<haddr_t>(read);
+    count -= read;
   }
   std::memset(to, 0, count);
   return 0;
 }
 
-herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t count,
+herr_t write_bytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, size_t count,
                    const void* buffer) {
   Output& out = *output(file);
   const auto* from = static_cast<const char*>(buffer);
   out.end_of_file = std::max(out.end_of_file, address + count);
   while (count > 0 && out.error == 0) {
-    const std::int64_t put =
+    const std::int64_t written =
         out.disk->write(out.descriptor, from, count, static_cast<std::int64_t>(address));
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) {
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
       out.error = errno;
       break;
     }
-    from += put;
-    address += static_cast<haddr_t>(put);
-    count -= put;
+    from += written;
+    address += static_cast<haddr_t>(written);
+    count -= written;
   }
   return 0;
 }
@@ -157,8 +156,7 @@ const H5FD_class_t& driver_class() {
   return driver;
 }
 
-/// Returns the file of the driver. HDF5 gives a pointer to `descriptor`, the member of Output right
-/// behind HDF5's own part.
+/// Returns the driver's file. HDF5 only gives the handle: a pointer to the member `descriptor`.
 Output* output_of(hid_t file) {
   void* handle = nullptr;
   if (H5Fget_vfd_handle(file, H5P_DEFAULT, &handle) < 0) return nullptr;
@@ -169,8 +167,8 @@ Output* output_of(hid_t file) {
 
 void write_through_output_driver(std::int64_t access, files::Disk& disk) {
   static const hid_t driver = H5FDregister(&driver_class());
-  const Access told{&disk};
-  H5Pset_driver(access, driver, &told);
+  const Access driver_info{&disk};
+  H5Pset_driver(access, driver, &driver_info);
 }
 
 int hdf5_output_error(std::int64_t file) {
@@ -179,7 +177,7 @@ int hdf5_output_error(std::int64_t file) {
 }
 
 void report_hdf5_output_error(std::int64_t file, int& error) {
-  if (Output* const out = output_of(file)) out->report = &error;
+  if (Output* const out = output_of(file)) out->closing_error = &error;
 }
 
 }  // namespace morphe::store

@@ -15,9 +15,8 @@ hid_t file_type(double) { return H5T_IEEE_F64LE; }
 hid_t file_type(std::int32_t) { return H5T_STD_I32LE; }
 hid_t file_type(std::uint8_t) { return H5T_STD_U8LE; }
 
-/// Strings in the format that HDF5 writes: UTF-8 of one length, padded with zeros. Strings of
-/// variable length would be stored in a heap without checksums, in which a flipped bit crashes the
-/// library when reading.
+/// Strings as they are written: UTF-8 of one length, padded with zeros. Those of variable length
+/// would be in a heap without checksums, in which a flipped bit crashes the library when reading.
 struct PaddedStrings {
   Hdf5Id type;
   std::size_t length = 1;
@@ -27,9 +26,10 @@ struct PaddedStrings {
 PaddedStrings pad_strings(const std::vector<std::string>& values) {
   PaddedStrings strings;
   for (const std::string& value : values) strings.length = std::max(strings.length, value.size());
-  strings.bytes.assign(values.size() * strings.length, '\0');
-  for (std::size_t i = 0; i < values.size(); ++i)
-    strings.bytes.replace(i * strings.length, values[i].size(), values[i]);
+  for (const std::string& value : values) {
+    strings.bytes += value;
+    strings.bytes.append(strings.length - value.size(), '\0');
+  }
   strings.type = {H5Tcopy(H5T_C_S1), H5Tclose};
   H5Tset_size(strings.type.get(), strings.length);
   H5Tset_cset(strings.type.get(), H5T_CSET_UTF8);
@@ -39,13 +39,13 @@ PaddedStrings pad_strings(const std::vector<std::string>& values) {
 
 Hdf5Id scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose}; }
 
-Hdf5Id simple_space(const std::vector<std::size_t>& dims) {
+Hdf5Id simple_space(const Hdf5Shape& dims) {
   const std::vector<hsize_t> sizes(dims.begin(), dims.end());
   return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose};
 }
 
-/// Chooses one chunk with a checksum, or several along the first axis if it would exceed 16 MiB.
-Hdf5Id dataset_properties(const std::vector<std::size_t>& dims, std::size_t element_bytes) {
+/// Returns the properties of a new dataset: chunks with a checksum, of whole rows up to 16 MiB.
+Hdf5Id dataset_properties(const Hdf5Shape& dims, std::size_t element_bytes) {
   Hdf5Id creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
   std::size_t row_bytes = element_bytes;
@@ -58,34 +58,33 @@ Hdf5Id dataset_properties(const std::vector<std::size_t>& dims, std::size_t elem
   return creation;
 }
 
-bool write_dataset(hid_t group, const std::string& name, hid_t stored, hid_t held,
-                   const Hdf5Id& space, const Hdf5Id& creation, const void* values) {
-  const Hdf5Id data(H5Dcreate2(group, name.c_str(), stored, space.get(), H5P_DEFAULT,
-                               creation.get(), H5P_DEFAULT),
-                    H5Dclose);
-  if (!data.valid()) return false;
-  if (H5Sget_simple_extent_npoints(space.get()) == 0) return true;
-  return H5Dwrite(data.get(), held, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0;
-}
-
-bool write_attribute(hid_t group, const char* object, const std::string& name, hid_t stored,
-                     hid_t held, const Hdf5Id& space, const void* values) {
-  const Hdf5Id attribute(H5Acreate_by_name(group, object, name.c_str(), stored, space.get(),
+void write_attribute(const Hdf5Group& group, hid_t id, const char* object, const std::string& name,
+                     hid_t on_disk, hid_t in_ram, const Hdf5Id& space, const void* values) {
+  const Hdf5Id attribute(H5Acreate_by_name(id, object, name.c_str(), on_disk, space.get(),
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                          H5Aclose);
-  if (!attribute.valid()) return false;
-  if (H5Sget_simple_extent_npoints(space.get()) == 0) return true;
-  return H5Awrite(attribute.get(), held, values) >= 0;
+  if (!attribute.valid() || (H5Sget_simple_extent_npoints(space.get()) != 0 &&
+                             H5Awrite(attribute.get(), in_ram, values) < 0))
+    group.fail("@" + name, "cannot be written");
+}
+
+void write_dataset(const Hdf5Group& group, hid_t id, const std::string& name, hid_t on_disk,
+                   hid_t in_ram, const Hdf5Id& space, const Hdf5Id& creation, const void* values) {
+  if (group.has(name)) group.fail(name, "already exists");
+  const Hdf5Id data(
+      H5Dcreate2(id, name.c_str(), on_disk, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
+      H5Dclose);
+  if (!data.valid() || (H5Sget_simple_extent_npoints(space.get()) != 0 &&
+                        H5Dwrite(data.get(), in_ram, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0))
+    group.fail(name, "cannot be written");
 }
 
 }  // namespace
 
 template <class T>
 void Hdf5Group::write(const std::string& name, const Hdf5Array<T>& array) const {
-  if (has(name)) fail(name, "already exists");
-  if (!write_dataset(id_.get(), name, file_type(T{}), memory_type(T{}), simple_space(array.dims),
-                     dataset_properties(array.dims, sizeof(T)), array.values.data()))
-    fail(name, "cannot be written");
+  write_dataset(*this, id_.get(), name, file_type(T{}), memory_type(T{}), simple_space(array.dims),
+                dataset_properties(array.dims, sizeof(T)), array.values.data());
 }
 
 template void Hdf5Group::write(const std::string&, const Hdf5Array<double>&) const;
@@ -94,58 +93,43 @@ template void Hdf5Group::write(const std::string&, const Hdf5Array<std::uint8_t>
 
 void Hdf5Group::write_strings(const std::string& name,
                               const std::vector<std::string>& values) const {
-  if (has(name)) fail(name, "already exists");
   const PaddedStrings strings = pad_strings(values);
-  if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(),
-                     simple_space({values.size()}),
-                     dataset_properties({values.size()}, strings.length), strings.bytes.data()))
-    fail(name, "cannot be written");
+  write_dataset(*this, id_.get(), name, strings.type.get(), strings.type.get(),
+                simple_space({values.size()}), dataset_properties({values.size()}, strings.length),
+                strings.bytes.data());
 }
 
 void Hdf5Group::write_text(const std::string& name, const std::string& text) const {
-  if (has(name)) fail(name, "already exists");
   const PaddedStrings strings = pad_strings({text});
-  if (!write_dataset(id_.get(), name, strings.type.get(), strings.type.get(), scalar_space(),
-                     dataset_properties({}, strings.length), strings.bytes.data()))
-    fail(name, "cannot be written");
+  write_dataset(*this, id_.get(), name, strings.type.get(), strings.type.get(), scalar_space(),
+                dataset_properties({}, strings.length), strings.bytes.data());
 }
 
 void Hdf5Group::set(const std::string& name, const std::string& text, const char* dataset) const {
   const PaddedStrings strings = pad_strings({text});
-  if (!write_attribute(id_.get(), dataset, name, strings.type.get(), strings.type.get(),
-                       scalar_space(), strings.bytes.data()))
-    fail("@" + name, "cannot be written");
+  write_attribute(*this, id_.get(), dataset, name, strings.type.get(), strings.type.get(),
+                  scalar_space(), strings.bytes.data());
 }
 
 void Hdf5Group::set(const std::string& name, const std::vector<std::string>& values) const {
   const PaddedStrings strings = pad_strings(values);
-  if (!write_attribute(id_.get(), ".", name, strings.type.get(), strings.type.get(),
-                       simple_space({values.size()}), strings.bytes.data()))
-    fail("@" + name, "cannot be written");
+  write_attribute(*this, id_.get(), ".", name, strings.type.get(), strings.type.get(),
+                  simple_space({values.size()}), strings.bytes.data());
 }
 
-void Hdf5Group::set(const std::string& name, double value) const {
-  if (!write_attribute(id_.get(), ".", name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, scalar_space(),
-                       &value))
-    fail("@" + name, "cannot be written");
+template <class T>
+requires(std::is_arithmetic_v<T>) void Hdf5Group::set(const std::string& name, T value) const {
+  write_attribute(*this, id_.get(), ".", name, file_type(value), memory_type(value), scalar_space(),
+                  &value);
 }
 
-void Hdf5Group::set(const std::string& name, std::int32_t value) const {
-  if (!write_attribute(id_.get(), ".", name, H5T_STD_I32LE, H5T_NATIVE_INT32, scalar_space(),
-                       &value))
-    fail("@" + name, "cannot be written");
-}
-
-void Hdf5Group::set(const std::string& name, std::uint8_t value) const {
-  if (!write_attribute(id_.get(), ".", name, H5T_STD_U8LE, H5T_NATIVE_UINT8, scalar_space(),
-                       &value))
-    fail("@" + name, "cannot be written");
-}
+template void Hdf5Group::set(const std::string&, double) const;
+template void Hdf5Group::set(const std::string&, std::int32_t) const;
+template void Hdf5Group::set(const std::string&, std::uint8_t) const;
 
 void Hdf5Group::set(const std::string& name, const std::vector<double>& values) const {
-  if (!write_attribute(id_.get(), ".", name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
-                       simple_space({values.size()}), values.data()))
-    fail("@" + name, "cannot be written");
+  write_attribute(*this, id_.get(), ".", name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE,
+                  simple_space({values.size()}), values.data());
 }
 
 }  // namespace morphe::store

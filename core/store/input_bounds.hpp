@@ -6,12 +6,13 @@
 
 namespace morphe::store {
 
-/// Returns the reason why a demonstration cannot be processed in bounded time, "" if it can: times
-/// that are not finite, do not increase, are denser than 100,000 per second or span more than 6
-/// hours over all streams together; coordinates beyond 1000 km; rotations whose quaternion is far
-/// from unit length; objects with a missing pose or a size that is not positive; body lengths that
-/// are not positive. Example: "markers/time: row 3: must be greater than in the previous row".
-/// Points and rotations of streams that are NaN were not observed and are valid.
+/// Returns the first reason why a demonstration cannot be processed in bounded time, "" if it can,
+/// as "markers/time: row 3: must be greater than in the previous row". The bounds are
+/// times         increasing, |t| <= 1e12 s, at most 100,000 per second on average; at most 6 hours
+///               for the streams of the recording together, and for those of the calibration
+/// coordinates   at most 1000 km; quaternions of a norm from 0.5 to 2. Those of streams may be NaN,
+///               which means not observed; those of objects may not
+/// sizes         of objects: positive, at most 10 km; body lengths: positive, at most 3 m
 std::string bounds_violation(const Demonstration& demonstration);
 
 }  // namespace morphe::store

@@ -14,13 +14,12 @@
 namespace morphe::store {
 
 /// Writes the layouts of the files (layout.hpp) as JSON for other programs: a group is an object,
-/// its attributes and datasets are members, columns of rows are an array of objects. Points are
-/// three numbers, poses four rows of four, enumerations their names; values that are not finite are
-/// null.
-class JsonWriter {
+/// its attributes and datasets are members. A group of columns is an array with one object per row.
+/// Points are three numbers, poses four rows of four, enumerations their names. Numbers that are
+/// not finite are null.
+class JsonWriter : public OptionalItemWriter<JsonWriter> {
  public:
   using Json = nlohmann::ordered_json;
-  static constexpr bool reading = false;
   Json json = Json::object();
 
   /// Writes an attribute.
@@ -33,38 +32,18 @@ class JsonWriter {
   void dataset(const char* name, const T& value, const DatasetAttributes&) {
     json[name] = json_of(value);
   }
-  /// Writes a dataset if `present` is true.
-  template <class T>
-  void dataset_if(bool present, const char* name, const T& value, const DatasetAttributes& tags) {
-    if (present) dataset(name, value, tags);
-  }
   /// Writes a dataset of names.
   void names(const char* name, const std::vector<std::string>& values) { json[name] = values; }
-  /// Writes names unless there are no names.
-  void optional_names(const char* name, const std::vector<std::string>& values) {
-    if (!values.empty()) names(name, values);
-  }
   /// Writes one member of all rows.
   template <class Row, class Member>
   void column(const char* name, const std::vector<Row>& rows, Member Row::*member,
               const DatasetAttributes&) {
     if (!json.is_array()) json = Json::array();
-    for (std::size_t k = 0; k < rows.size(); ++k) json[k][name] = json_of(rows[k].*member);
+    for (int k = 0; k < std::ssize(rows); ++k) json[k][name] = json_of(rows[k].*member);
   }
-  /// Writes an optional attribute.
-  template <class T>
-  void optional_attribute(const char* name, const T& value) {
-    attribute(name, value);
-  }
-  /// Writes an optional attribute.
-  template <class T>
-  void optional_attribute(const char* name, const std::optional<T>& value) {
-    if (value) attribute(name, *value);
-  }
-  /// Writes a group if `present` is true.
+  /// Writes a group.
   template <class Body>
-  void group_if(bool present, const char* name, const Body& body) {
-    if (!present) return;
+  void group(const char* name, const Body& body) {
     JsonWriter inner;
     body(inner);
     json[name] = std::move(inner.json);
@@ -94,8 +73,7 @@ class JsonWriter {
     if constexpr (Derived::IsVectorAtCompileTime) {
       for (Eigen::Index k = 0; k < values.size(); ++k) list.push_back(json_of(values(k)));
     } else {
-      for (Eigen::Index row = 0; row < values.rows(); ++row)
-        list.push_back(json_of(values.row(row)));
+      for (Eigen::Index k = 0; k < values.rows(); ++k) list.push_back(json_of(values.row(k)));
     }
     return list;
   }

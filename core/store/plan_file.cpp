@@ -17,7 +17,7 @@ namespace {
 constexpr const char* kPlanFormat = "morphe-plans";
 constexpr int kPlanVersion = 2;
 
-/// Parses a movement's name: "000" -> 0.
+/// Parses a movement's name: "000" -> 0. Throws InputError for any other name.
 int movement_index(const Hdf5Group& demonstration, const std::string& name) {
   int index = -1;
   const auto parsed = std::from_chars(name.data(), name.data() + name.size(), index);
@@ -28,10 +28,9 @@ int movement_index(const Hdf5Group& demonstration, const std::string& name) {
 
 }  // namespace
 
-// Members are destroyed in reverse order: groups, then the file, then the unfinished file on disk
-// is removed.
+// Members are destroyed in reverse order: `output` after `file`, to remove an unfinished file.
 struct PlanWriter::State {
-  files::AtomicFile part;
+  files::AtomicFile output;
   RobotModel robot;
   Hdf5File file;
   Hdf5Group plans;
@@ -44,7 +43,7 @@ PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& 
 PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& header,
                        const RobotModel& robot, files::Disk& disk)
     : state_(new State{files::AtomicFile(path, disk), robot, {}, {}}) {
-  state_->file = Hdf5File::create(state_->part.part(), disk);
+  state_->file = Hdf5File::create(state_->output.part(), disk);
   state_->file.set_display_name(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kPlanFormat, kPlanVersion);
@@ -63,9 +62,9 @@ void PlanWriter::add(const Plan& plan) {
   if (!fault.empty())
     state_->plans.throw_if_fault(fmt::format("{}/{}/{}", plan.demonstration, movement, fault));
   const Hdf5Group& plans = state_->plans;
-  const bool there = !plan.demonstration.empty() && plans.has(plan.demonstration);
-  const Hdf5Group demonstration =
-      there ? plans.open(plan.demonstration) : plans.create(plan.demonstration);
+  const std::string& name = plan.demonstration;
+  const bool exists = !name.empty() && plans.has(name);
+  const Hdf5Group demonstration = exists ? plans.open(name) : plans.create(name);
   LayoutWriter io(demonstration.create(movement), joint_unit(state_->robot.has_prismatic_joint()));
   lay_out_plan(io, plan);
   state_->file.expect_written();
@@ -74,7 +73,7 @@ void PlanWriter::add(const Plan& plan) {
 void PlanWriter::finish() {
   state_->plans = {};
   state_->file.close();
-  state_->part.commit();
+  state_->output.commit();
 }
 
 struct PlanReader::State {
@@ -94,7 +93,7 @@ PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
   for (const std::string& demonstration : state_->plans.children()) {
     const Hdf5Group group = state_->plans.open(demonstration);
     for (const std::string& movement : group.children()) {
-      movement_index(group, movement);
+      movement_index(group, movement);  // throws if the name is not valid
       paths_.push_back(fmt::format("{}/{}", demonstration, movement));
     }
   }

@@ -18,9 +18,9 @@ namespace morphe::store {
 
 /// Writes plans.h5 (docs/formats.md), plan by plan, in the order of the calls. finish() makes the
 /// complete, synced file appear at its path; without it no file is left behind. Throws InputError
-/// for a plan or input that is already in the file, a demonstration's name that is empty or
-/// contains '/', an absolute input path, arrays that are inconsistent with the robot or each other,
-/// and for write errors of the disk.
+/// for a plan or input that is already in the file, for a demonstration's name that is empty or
+/// contains '/', for an absolute input path, for inconsistent arrays (consistency.hpp), and for
+/// write errors of the disk.
 class MORPHE_EXPORT PlanWriter {
  public:
   /// Creates the file.
@@ -40,10 +40,10 @@ class MORPHE_EXPORT PlanWriter {
   std::unique_ptr<State> state_;
 };
 
-/// Reads plans.h5, one plan at a time, in the order in which they were written. The plans that
-/// read() returns are consistent in themselves and with robot(): lengths agree, indices are in
-/// range; otherwise it throws InputError "FILE:/h5/path: message". It does not check values, which
-/// is the task of `verify`.
+/// Reads plans.h5, one plan at a time, in the order in which they were written. Throws InputError
+/// "FILE:/h5/path: message" for data that is missing, damaged or inconsistent: lengths of arrays in
+/// a plan agree with each other and with robot(), and indices are in range. Values are not checked,
+/// which is the task of `verify`.
 class MORPHE_EXPORT PlanReader {
  public:
   /// Opens the file.

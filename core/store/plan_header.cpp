@@ -9,8 +9,7 @@ namespace {
 constexpr int kMaxInputCount = 10000;
 constexpr int kMaxFolderDepth = 64;
 
-/// Writes the inputs folder by folder, each at its first occurrence, so that reading and writing
-/// again gives the same bytes.
+/// Writes the inputs of a folder, in an order that reading and writing them again preserves.
 void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> inputs) {
   for (PlanFileHeader::Input& input : inputs) {
     while (input.path.starts_with("./")) input.path.erase(0, 2);
@@ -28,23 +27,23 @@ void write_inputs(const Hdf5Group& folder, std::vector<PlanFileHeader::Input> in
     const std::string prefix = input.path.substr(0, slash + 1);
     std::vector<PlanFileHeader::Input> inside, others;
     for (const PlanFileHeader::Input& other : inputs) {
-      const bool in = other.path.starts_with(prefix);
-      (in ? inside : others).push_back(other);
-      if (in) inside.back().path.erase(0, prefix.size());
+      const bool is_inside = other.path.starts_with(prefix);
+      (is_inside ? inside : others).push_back(other);
+      if (is_inside) inside.back().path.erase(0, prefix.size());
     }
     write_inputs(folder.create(prefix.substr(0, slash)), std::move(inside));
     inputs = std::move(others);
   }
 }
 
-/// Reads the inputs; `left` is the number of members that may still be visited.
-void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& left,
+/// Appends the inputs of a folder; `visits_left` files and folders may still be visited.
+void read_inputs(const Hdf5Group& folder, const std::string& prefix, int depth, int& visits_left,
                  std::vector<PlanFileHeader::Input>& inputs) {
   if (depth > kMaxFolderDepth) folder.fail("is nested too deeply");
   for (const std::string& name : folder.children()) {
-    if (--left < 0) folder.fail("has too many files");
+    if (--visits_left < 0) folder.fail("has too many files");
     if (folder.is_group(name)) {
-      read_inputs(folder.open(name), prefix + name + "/", depth + 1, left, inputs);
+      read_inputs(folder.open(name), prefix + name + "/", depth + 1, visits_left, inputs);
     } else {
       inputs.push_back({prefix + name, folder.read_text(name)});
     }
@@ -71,8 +70,8 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   root.get("dataset_sha256", header.dataset_sha256);
   root.get("software", header.software);
   if (root.has_attribute("built_with")) root.get("built_with", header.built_with);
-  int left = kMaxInputCount;
-  read_inputs(root.open("inputs"), "", 0, left, header.inputs);
+  int visits_left = kMaxInputCount;
+  read_inputs(root.open("inputs"), "", 0, visits_left, header.inputs);
   return header;
 }
 

@@ -10,7 +10,7 @@ namespace morphe::store {
 /// Writes the root attributes of plans.h5 and /inputs, in which folders are groups.
 void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
                        const std::string& robot_name);
-/// Reads the header. It returns the inputs folder by folder, each in the order of its creation.
+/// Reads the header. Its inputs are in the order of creation within each folder.
 PlanFileHeader read_plan_header(const Hdf5Group& root);
 
 }  // namespace morphe::store

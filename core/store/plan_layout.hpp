@@ -58,6 +58,8 @@ void lay_out_findings(Io& io, T& findings) {
   io.column("subject", findings, &Finding::subject, {});
   io.column("other_body", findings, &Finding::other_body, {});
   io.column("excess", findings, &Finding::excess, {"m or rad", "", ""});
+  io.column("unit", findings, &Finding::unit, {});
+  io.column("limit", findings, &Finding::limit, {"m or rad", "", ""});
 }
 
 /// Lays out the repair steps.
@@ -70,7 +72,7 @@ void lay_out_repair(Io& io, T& steps) {
   io.column("max_joint_change", steps, &RepairStep::max_joint_change, joint_attributes());
   io.column("finding_count", steps, &RepairStep::finding_count, {"1", "", ""});
   io.column("collision_depth_sum", steps, &RepairStep::collision_depth_sum, {"m", "", ""});
-  io.column("other_depth_sum", steps, &RepairStep::other_depth_sum, {"m or rad", "", ""});
+  io.column("other_depth_sum", steps, &RepairStep::other_depth_sum, {"m", "", ""});
   io.column("worst_finding", steps, &RepairStep::worst_finding, {});
   io.column("accepted", steps, &RepairStep::accepted, {"1", "", "0=no,1=yes"});
   io.column("stop_reason", steps, &RepairStep::stop_reason, {});
@@ -140,9 +142,11 @@ void lay_out_trajectory(Io& io, T& trajectory) {
   io.dataset("clearance", trajectory.clearance, {"m", "", ""});
 }
 
-/// Lays out the certificate.
+/// Lays out the certificate, with `repaired` and natural_posture_error, which a plan holds
+/// elsewhere.
 template <class Io, class T>
-void lay_out_certificate(Io& io, T& certificate) {
+void lay_out_certificate(Io& io, T& plan) {
+  auto& certificate = plan.certificate;
   io.attribute("joint_limit_margin", certificate.joint_limit_margin);
   io.attribute("velocity_ratio", certificate.velocity_ratio);
   io.attribute("acceleration_ratio", certificate.acceleration_ratio);
@@ -154,7 +158,7 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("tip_orientation_error_max", certificate.tip_orientation_error_max);
   io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
   io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
-  io.attribute("natural_posture_error", certificate.natural_posture_error);
+  io.attribute("natural_posture_error", plan.mapped.natural_posture_error);
   io.attribute("duration_ratio", certificate.duration_ratio);
   io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
   io.attribute("humanlikeness_final", certificate.humanlikeness_final);
@@ -162,12 +166,12 @@ void lay_out_certificate(Io& io, T& certificate) {
   io.attribute("sparc_human", certificate.sparc_human);
   io.attribute("log_dimensionless_jerk_robot", certificate.log_dimensionless_jerk_robot);
   io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
-  io.attribute("repaired", certificate.repaired);
+  io.attribute("repaired", plan.repaired);
   io.optional_names("unchecked_links", certificate.unchecked_links);
 }
 
-/// Lays out the status, which is "executable" or "approximate" exactly if there is no reason;
-/// reading rejects files in which they contradict each other.
+/// Lays out the reason and the status. It is "executable" or "approximate" exactly if there is no
+/// reason; reading rejects files in which the two contradict each other.
 template <class Io, class T>
 void lay_out_status(Io& io, T& plan) {
   io.attribute("reason", plan.reason);
@@ -230,7 +234,7 @@ void lay_out_plan(Io& io, T& plan) {
               [&](Io& in) { lay_out_trajectory(in, plan.approach); });
   io.group_if(plan.retreat.samples() > 0, "retreat",
               [&](Io& in) { lay_out_trajectory(in, plan.retreat); });
-  io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan.certificate); });
+  io.group("certificate", [&](Io& in) { lay_out_certificate(in, plan); });
 }
 
 }  // namespace morphe::store

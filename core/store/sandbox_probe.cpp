@@ -15,7 +15,7 @@
 namespace morphe::store {
 namespace {
 
-/// Ignores errors in the file, which are reported by the file's reader.
+/// Calls `read` and ignores errors in the file, which the file's reader reports.
 template <class Read>
 void ignore_input_errors(const Read& read) {
   try {
@@ -38,34 +38,34 @@ struct VisitState {
 };
 
 template <class Info>
-herr_t visit_object(hid_t, const char* name, const Info* info, void* walk) {
-  auto& at = *static_cast<VisitState*>(walk);
+herr_t visit_object(hid_t, const char* name, const Info* info, void* state) {
+  auto& visit = *static_cast<VisitState*>(state);
   try {
-    read_object(at.root, name, info->type == H5O_TYPE_DATASET);
+    read_object(visit.root, name, info->type == H5O_TYPE_DATASET);
   } catch (const std::bad_alloc&) {
-    at.out_of_memory = true;
+    visit.out_of_memory = true;
     return -1;
   }
   return 0;
 }
 
-/// Reads every object once, however many paths lead to it.
+/// Reads every object of a file once, however many paths lead to the object.
 void read_everything(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open(path);
   const Hdf5Group root = file.root();
   const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // Required because the file is already open.
+  // The file is already open, and HDF5 opens it again only with the same close degree.
   H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
   const Hdf5Id id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
-  VisitState walk{root};
+  VisitState state{root};
 #if H5_VERSION_GE(1, 12, 0)
-  H5Ovisit3(id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit_object<H5O_info2_t>, &walk,
+  H5Ovisit3(id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit_object<H5O_info2_t>, &state,
             H5O_INFO_BASIC);
 #else
-  H5Ovisit2(id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit_object<H5O_info_t>, &walk,
+  H5Ovisit2(id.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit_object<H5O_info_t>, &state,
             H5O_INFO_BASIC);
 #endif
-  if (walk.out_of_memory) throw std::bad_alloc();
+  if (state.out_of_memory) throw std::bad_alloc();
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 
 namespace morphe::store {
 
-/// Lays out a time that may be unknown, which is stored as a missing attribute and is NaN in
-/// memory.
+/// Lays out a time that may be unknown: a missing attribute in the file, NaN in memory.
 template <class Io, class Time>
 void lay_out_time(Io& io, const char* name, Time& time_s) {
   std::optional<double> known;
@@ -19,7 +18,7 @@ void lay_out_time(Io& io, const char* name, Time& time_s) {
   if constexpr (Io::reading) time_s = known.value_or(kUnknown);
 }
 
-/// Lays out objects/<name>/ and scene/<object>/ of docs/formats.md.
+/// Lays out objects/<name>/ and scene/<object>/ of docs/formats.md, with poses in `frame`.
 template <class Io, class T>
 void lay_out_object(Io& io, T& object, const std::string& frame) {
   io.attribute("shape", object.shape);

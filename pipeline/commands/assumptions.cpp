@@ -8,31 +8,28 @@
 namespace morphe::commands {
 namespace {
 
-std::string without_numbers(const std::string& sentence) {
-  std::string text;
-  for (const char c : sentence) {
-    if (!std::isdigit(static_cast<unsigned char>(c))) text += c;
-  }
-  return text;
+std::string without_numbers(std::string sentence) {
+  std::erase_if(sentence, [](unsigned char c) { return std::isdigit(c) != 0; });
+  return sentence;
 }
 
 }  // namespace
 
 void Assumptions::add(const Demonstration& demonstration) {
-  std::set<std::size_t> here;
+  std::set<int> counted;
   for (const std::string& sentence : demonstration.import_notes) {
-    const auto [at, is_new] = at_.emplace(without_numbers(sentence), said_.size());
-    if (is_new) said_.push_back({demonstration.name, sentence, 0});
-    if (here.insert(at->second).second) ++said_[at->second].recordings;
+    const auto [entry, is_new] = line_of_.emplace(without_numbers(sentence), lines_.size());
+    if (is_new) lines_.push_back({demonstration.name, sentence, 0});
+    if (counted.insert(entry->second).second) ++lines_[entry->second].recordings;
   }
 }
 
 std::string Assumptions::text() const {
   std::string text;
-  for (const Line& said : said_) {
-    const std::string others =
-        said.recordings > 1 ? fmt::format(" and {} more", said.recordings - 1) : "";
-    text += fmt::format("  {}{}: {}\n", said.name, others, said.sentence);
+  for (const Line& line : lines_) {
+    text += "  " + line.name;
+    if (line.recordings > 1) text += fmt::format(" and {} more", line.recordings - 1);
+    text += fmt::format(": {}\n", line.sentence);
   }
   return text;
 }

@@ -8,23 +8,22 @@
 
 namespace morphe::commands {
 
-/// A summary of the values that importers assumed, repaired or left out. Sentences that differ only
-/// in their numbers are one line, with the text of the first recording that has it.
+/// A summary of the import notes of recordings: the properties that importers assumed, repaired or
+/// left out. Notes that differ only in their digits become one line, with the text of the first.
 class Assumptions {
  public:
-  /// Adds the reports of a recording.
+  /// Adds the import notes of a recording.
   void add(const Demonstration& demonstration);
-  /// Returns one line for each sentence: "  NAME: sentence", or "  NAME and 14 more: sentence".
+  /// Returns lines "  NAME: sentence" or, for several recordings, "  NAME and 14 more: sentence".
   std::string text() const;
 
  private:
   struct Line {
     std::string name, sentence;
-    std::size_t recordings = 0;
+    int recordings = 0;
   };
-  std::vector<Line> said_;
-  /// Index by the sentence without its numbers.
-  std::map<std::string, std::size_t> at_;
+  std::vector<Line> lines_;
+  std::map<std::string, int> line_of_;  ///< index by the sentence without its numbers
 };
 
 }  // namespace morphe::commands

@@ -20,33 +20,32 @@ namespace {
 /// A skeleton of a right arm that is composed joint by joint.
 struct Skeleton {
   BodyStream body;
-  std::vector<std::vector<Vec3>> points;
+  std::vector<std::vector<Vec3>> positions;
   std::vector<std::vector<Quat>> orientations;
   std::vector<bool> estimated;
 
-  void add(const std::string& name, std::vector<Vec3> point, bool was_estimated,
-           std::vector<Quat> turn = {}) {
-    if (std::ranges::none_of(point, [](const Vec3& p) { return is_known(p); })) return;
+  void add(const std::string& name, std::vector<Vec3> position, bool is_estimated,
+           std::vector<Quat> orientation = {}) {
+    if (std::ranges::none_of(position, [](const Vec3& p) { return is_known(p); })) return;
     body.names.push_back(name);
-    if (turn.empty()) turn.assign(point.size(), unknown_rotation());
-    points.push_back(std::move(point));
-    orientations.push_back(std::move(turn));
-    estimated.push_back(was_estimated);
+    if (orientation.empty()) orientation.assign(position.size(), unknown_rotation());
+    positions.push_back(std::move(position));
+    orientations.push_back(std::move(orientation));
+    estimated.push_back(is_estimated);
   }
   BodyStream build(const std::vector<double>& time) {
-    const std::size_t rows = time.size(), joints = body.names.size();
+    const auto rows = std::ssize(time), joints = std::ssize(body.names);
     body.time = time;
     body.reconstructed = true;
     body.parents.assign(joints, "");
     body.position = Array2D<Vec3>(rows, joints, unknown_point());
     body.orientation = Array2D<Quat>(rows, joints, unknown_rotation());
-    if (std::ranges::find(estimated, true) != estimated.end()) {
-      body.confidence = Array2D<double>(
-          rows, joints, 1);  // reconstruction recognises estimates by a confidence of 0
-    }
-    for (std::size_t k = 0; k < joints; ++k) {
-      for (std::size_t i = 0; i < rows; ++i) {
-        body.position(i, k) = points[k][i];
+    // Reconstruction recognises estimates by a confidence of 0.
+    if (std::ranges::find(estimated, true) != estimated.end())
+      body.confidence = Array2D<double>(rows, joints, 1);
+    for (int k = 0; k < joints; ++k) {
+      for (int i = 0; i < rows; ++i) {
+        body.position(i, k) = positions[k][i];
         body.orientation(i, k) = orientations[k][i];
         if (estimated[k]) body.confidence(i, k) = 0;
       }
@@ -63,17 +62,16 @@ std::vector<T> column_of(const Array2D<T>& table, std::size_t column) {
 }
 
 BodyStream skeleton_of(const HumanMotion& motion) {
-  const auto estimated = [&](const char* what) {
-    return std::ranges::find(motion.estimated, what) != motion.estimated.end();
+  const auto estimated = [&](const char* body_part) {
+    return std::ranges::find(motion.estimated, body_part) != motion.estimated.end();
   };
   Skeleton skeleton;
   skeleton.add("right_shoulder", motion.shoulder, estimated("shoulder"));
   skeleton.add("right_elbow", motion.elbow, estimated("elbow"));
   skeleton.add("right_wrist", motion.wrist, estimated("wrist"));
-  if (std::ranges::any_of(motion.wrist_orientation, [](const Quat& q) { return is_known(q); })) {
+  if (std::ranges::any_of(motion.wrist_orientation, [](const Quat& q) { return is_known(q); }))
     skeleton.add("right_hand", motion.wrist, estimated("wrist orientation"),
                  motion.wrist_orientation);
-  }
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     const std::vector<std::string> names = imports::finger_joint_names(finger);
     skeleton.add("right_" + names[1], column_of(motion.finger_joint, finger), false);
@@ -102,18 +100,16 @@ Demonstration reconstructed_joints(const Demonstration& demonstration) {
   joints.import_notes.emplace_back("joints as Morphe reconstructed them from the recording");
   joints.import_notes.insert(joints.import_notes.end(), motion.reconstruction_notes.begin(),
                              motion.reconstruction_notes.end());
-  if (!motion.estimated.empty()) {
+  if (!motion.estimated.empty())
     joints.import_notes.push_back(
         fmt::format("estimated, not recorded: {}", fmt::join(motion.estimated, ", ")));
-  }
   return joints;
 }
 
 void ClipOutput::add(const Demonstration& demonstration) {
   const std::string& name = demonstration.name;
-  if (name.find('/') != std::string::npos || name.starts_with('.')) {
+  if (name.find('/') != std::string::npos || name.starts_with('.'))
     throw InputError(fmt::format("{}: '{}' cannot be a file name", folder_.string(), name));
-  }
   const Demonstration joints = reconstructed_joints(demonstration);
   if (!imports::can_write_clip(joints)) {
     without_clip_.push_back(name);
@@ -121,19 +117,17 @@ void ClipOutput::add(const Demonstration& demonstration) {
   }
   std::error_code error;
   std::filesystem::create_directories(folder_, error);
-  if (error) {
+  if (error)
     throw InputError(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
-  }
   imports::write_clip(joints, folder_ / (name + ".npz"));
   ++written_;
 }
 
 std::string ClipOutput::text() const {
   std::string text = fmt::format("{}: {}\n", folder_.string(), count_with_noun(written_, "clip"));
-  for (const std::string& name : without_clip_) {
+  for (const std::string& name : without_clip_)
     text += fmt::format(
         "  {}: no clip written: it has no joints, and they cannot be reconstructed\n", name);
-  }
   return text;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -9,15 +8,15 @@
 
 namespace morphe::commands {
 
-/// Returns a demonstration with the joints of the motion reconstructed from a recording as a
-/// skeleton, or the recording itself if it has a skeleton or the keypoints of a hand. Objects,
-/// names and metadata are kept. Skeleton and hand are absent if the motion cannot be reconstructed.
+/// Returns the demonstration itself if it can be written as a clip: it has a skeleton or the
+/// keypoints of a hand. Otherwise returns it with the joints of its reconstructed motion as a
+/// skeleton instead of its streams; without a skeleton if no joint can be reconstructed.
 Demonstration reconstructed_joints(const Demonstration& demonstration);
 
 /// A folder of clips, one for each demonstration.
 class ClipOutput {
  public:
-  /// Uses the given folder, which is created with the first clip.
+  /// The folder is created with the first clip.
   explicit ClipOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
   /// Writes NAME.npz. A demonstration that cannot be reconstructed has no clip and is listed in
   /// text(). Throws InputError if the clip cannot be written or the name is not a valid file name.

@@ -6,12 +6,13 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plan_diff.hpp"
 #include "pipeline/commands/plans_file.hpp"
-#include "pipeline/commands/row_options.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
 
 namespace morphe::commands {
+namespace {
 
-Command diff_command(CLI::App& app) {
+CommandAction add_diff_arguments(CLI::App& app) {
   struct Arguments {
     std::string first, second;
     RowSelection choice;
@@ -29,14 +30,18 @@ Command diff_command(CLI::App& app) {
     check_selection(arguments->choice);
     const PlanDiff diff =
         compare_plans(find_plans_file(arguments->first), find_plans_file(arguments->second));
-    if (arguments->json) {
-      fmt::print("{}", diff_json(diff));
-    } else {
-      fmt::print("{}", diff_text(diff, select_pairs(diff, arguments->choice), arguments->all,
-                                 terminal_width()));
-    }
+    fmt::print("{}", arguments->json ? diff_json(diff)
+                                     : diff_text(diff, select_pairs(diff, arguments->choice),
+                                                 arguments->all, terminal_width()));
     return diff.equal() ? 0 : 1;
   };
+}
+
+}  // namespace
+
+Command diff_command() {
+  return {"diff", "Compare two plans.h5: which plans differ, and by how much",
+          "  morphe diff outputs/first outputs/again\n", add_diff_arguments};
 }
 
 }  // namespace morphe::commands

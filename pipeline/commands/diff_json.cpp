@@ -11,7 +11,7 @@ Json side_json(const std::optional<PlanRow>& row) {
   if (!row) return nullptr;
   Json json{
       {"status", row->status}, {"reason", row->reason}, {"arm_estimated", row->arm_estimated}};
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k)
+  for (int k = 0; k < kPlanFigureCount; ++k)
     json[std::string(plan_figures()[k].key)] = row->figures[k];
   return json;
 }
@@ -49,9 +49,9 @@ Json status_json(const PlanDiff& diff) {
 std::string diff_json(const PlanDiff& diff) {
   Json json{{"equal", diff.equal()}};
   Json only_first = Json::array(), only_second = Json::array(), rows = Json::array();
-  std::size_t both = 0;
+  int both = 0;
   for (const PlanPair& pair : diff.pairs) {
-    both += pair.in_both() ? 1U : 0U;
+    both += pair.in_both() ? 1 : 0;
     if (!pair.second) only_first.push_back(pair.name);
     if (!pair.first) only_second.push_back(pair.name);
     rows.push_back({{"plan", pair.name},
@@ -65,7 +65,7 @@ std::string diff_json(const PlanDiff& diff) {
   json["file_changes"] = diff.file_changes;
   json["status_changes"] = status_json(diff);
   json["figures"] = Json::object();
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
+  for (int k = 0; k < kPlanFigureCount; ++k) {
     const FigureChange& change = diff.figures[k];
     json["figures"][std::string(plan_figures()[k].key)] = {{"plans", change.plans},
                                                            {"median_first", change.median_first},

@@ -7,15 +7,12 @@
 #include <set>
 #include <string_view>
 
+#include "core/motion/count_with_noun.hpp"
 #include "pipeline/commands/plan_diff.hpp"
 #include "pipeline/commands/text_table.hpp"
 
 namespace morphe::commands {
 namespace {
-
-std::string plans(std::size_t count) {
-  return fmt::format("{} plan{}", count, count == 1 ? "" : "s");
-}
 
 /// Formats a change with its sign, "=" if it rounds to zero at the printed digits.
 std::string change_text(const PlanFigure& figure, double change) {
@@ -24,11 +21,11 @@ std::string change_text(const PlanFigure& figure, double change) {
   return text.find_first_of("123456789") == std::string::npos ? "=" : text;
 }
 
-bool shows(const PlanPair& pair) {
+/// Returns true if the printed rows of a pair differ.
+bool differs_visibly(const PlanPair& pair) {
   if (!pair.in_both() || pair.status_changed()) return true;
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
-    const bool there = std::isnan(pair.first->figures[k]);
-    if (there != std::isnan(pair.second->figures[k])) return true;
+  for (int k = 0; k < kPlanFigureCount; ++k) {
+    if (std::isnan(pair.first->figures[k]) != std::isnan(pair.second->figures[k])) return true;
     if (change_text(plan_figures()[k], pair.change(k)).find_first_not_of("-=") != std::string::npos)
       return true;
   }
@@ -47,18 +44,18 @@ std::set<std::string> differing_plans(const PlanDiff& diff) {
 }
 
 std::string counts_text(const PlanDiff& diff, const std::set<std::string>& differing) {
-  std::size_t both = 0, first = 0, second = 0, of_both = 0;
+  int both = 0, only_first = 0, only_second = 0, different = 0;
   for (const PlanPair& pair : diff.pairs) {
-    both += pair.in_both() ? 1U : 0U;
-    first += pair.second ? 0U : 1U;
-    second += pair.first ? 0U : 1U;
-    of_both += pair.in_both() && differing.contains(pair.name) ? 1U : 0U;
+    both += pair.in_both() ? 1 : 0;
+    only_first += pair.second ? 0 : 1;
+    only_second += pair.first ? 0 : 1;
+    different += pair.in_both() && differing.contains(pair.name) ? 1 : 0;
   }
-  std::string text =
-      fmt::format("A: {}\nB: {}\n{} in both, {} of them differ{}", diff.first.string(),
-                  diff.second.string(), plans(both), of_both, of_both == 1 ? "s" : "");
-  if (first > 0) text += fmt::format("; {} only in A", first);
-  if (second > 0) text += fmt::format("; {} only in B", second);
+  std::string text = fmt::format(
+      "A: {}\nB: {}\n{} in both, {} of them differ{}", diff.first.string(), diff.second.string(),
+      count_with_noun(both, "plan"), different, different == 1 ? "s" : "");
+  if (only_first > 0) text += fmt::format("; {} only in A", only_first);
+  if (only_second > 0) text += fmt::format("; {} only in B", only_second);
   text += "\n";
   if (!diff.config_changes.empty())
     text += fmt::format("config: {}\n", fmt::join(diff.config_changes, ", "));
@@ -67,33 +64,29 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
   return text;
 }
 
-/// Lists the plans that are no longer executable, those that are executable now, and those with
-/// another change of status: the number, then each with its reason.
+/// Returns the plans whose status changed, in three groups, each below the number of its plans.
 std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   std::string worse, better, other;
-  std::size_t lost = 0, won = 0, changed = 0;
+  int lost = 0, won = 0, changed = 0;
   for (const PlanPair& pair : pairs) {
     if (!pair.status_changed()) continue;
-    const bool was = pair.first->executable(), is = pair.second->executable();
+    const bool was_ok = pair.first->executable(), is_ok = pair.second->executable();
     std::string line =
         fmt::format("  {}: {} -> {}\n", pair.name, outcome(*pair.first), outcome(*pair.second));
-    if (was && !is && !pair.second->lines.empty())
+    if (was_ok && !is_ok && !pair.second->lines.empty())
       line += wrap_line(pair.second->lines.front(), width, "    ");
-    (was && !is ? worse : is && !was ? better : other) += line;
-    ++(was && !is ? lost : is && !was ? won : changed);
+    (was_ok && !is_ok ? worse : is_ok && !was_ok ? better : other) += line;
+    ++(was_ok && !is_ok ? lost : is_ok && !was_ok ? won : changed);
   }
   std::string text;
-  if (lost > 0) text += fmt::format("{} no longer executable:\n{}", plans(lost), worse);
-  if (won > 0) text += fmt::format("{} executable now:\n{}", plans(won), better);
+  if (lost > 0)
+    text += fmt::format("{} no longer executable:\n{}", count_with_noun(lost, "plan"), worse);
+  if (won > 0) text += fmt::format("{} executable now:\n{}", count_with_noun(won, "plan"), better);
   if (changed > 0)
-    text += fmt::format(
-        "{} with another change of status:\n"
-        "{}",
-        plans(changed), other);
+    text += count_with_noun(changed, "plan") + " with another change of status:\n" + other;
   return text;
 }
 
-/// Returns true if the arm with which the plan is compared is estimated in one of the files.
 bool arm_estimated(const PlanPair& pair) {
   return (pair.first && pair.first->arm_estimated) || (pair.second && pair.second->arm_estimated);
 }
@@ -105,7 +98,7 @@ std::string figures_text(const PlanDiff& diff, std::size_t width) {
                    {"median", "A", false, 0}, {"", "B", false, 0},
                    {"", "B - A", false, 0},   {"largest", "change", false, 0},
                    {"", "of plan", true, 2},  {"over", "plans", false, 1}};
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
+  for (int k = 0; k < kPlanFigureCount; ++k) {
     const PlanFigure& figure = plan_figures()[k];
     const FigureChange& change = diff.figures[k];
     if (change.plans == 0) continue;
@@ -129,18 +122,16 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   TextTable table;
   table.columns = {{"B - A", "", true, 0}, {"status", "", true, 0}};
   for (const PlanFigure& figure : plan_figures()) {
-    const std::string name(figure.name);
+    const std::string name(figure.name), unit(figure.unit);
     const std::size_t blank = name.find(' ');
-    const bool one = blank == std::string::npos;
-    const std::string rest = one ? "" : name.substr(blank + 1);
-    const std::string gap = rest.empty() || figure.unit.empty() ? "" : " ";
-    const bool spare = std::ranges::find(kOptionalColumns, figure.key) != kOptionalColumns.end();
-    table.columns.push_back(
-        {name.substr(0, blank), rest + gap + std::string(figure.unit), false, spare ? 3 : 1});
+    const std::string rest = blank == std::string::npos ? "" : name.substr(blank + 1);
+    const std::string gap = rest.empty() || unit.empty() ? "" : " ";
+    const bool optional = std::ranges::find(kOptionalColumns, figure.key) != kOptionalColumns.end();
+    table.columns.push_back({name.substr(0, blank), rest + gap + unit, false, optional ? 3 : 1});
   }
-  std::size_t hidden = 0;
+  int hidden = 0;
   for (const PlanPair& pair : pairs) {
-    if (!shows(pair)) {
+    if (!differs_visibly(pair)) {
       ++hidden;
       continue;
     }
@@ -150,7 +141,7 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
                             : pair.status_changed()
                                 ? pair.first->status + " -> " + pair.second->status
                                 : pair.first->status};
-    for (std::size_t k = 0; k < kPlanFigureCount; ++k) {
+    for (int k = 0; k < kPlanFigureCount; ++k) {
       const PlanFigure& figure = plan_figures()[k];
       const std::string text = change_text(figure, pair.change(k));
       const bool marked = figure.uses_human_arm && text.size() > 1 && arm_estimated(pair);
@@ -159,20 +150,19 @@ std::string rows_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   }
   std::string text = table.rows.empty() ? "" : "\n" + table_text(table, width);
   if (hidden > 0)
-    text += fmt::format("{} {} equal in all these figures\n", plans(hidden),
-                        hidden == 1 ? "is" : "are");
+    text += count_with_noun(hidden, "plan is", "plans are") + " equal in all these figures\n";
   return text;
 }
 
 /// Formats metres as mm and other units as given in the file.
 std::string amount_text(const run::Difference& difference) {
   const bool metres = difference.unit == "m";
-  const std::string unit = metres ? "mm" : difference.unit == "1" ? "" : difference.unit;
+  const bool has_unit = !difference.unit.empty() && difference.unit != "1";
+  const std::string unit = metres ? " mm" : has_unit ? " " + difference.unit : "";
   const double scale = metres ? 1e3 : 1;
-  return fmt::format("max change {:.6g}{}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
-                     unit.empty() ? "" : " ", unit, scale * difference.first,
-                     scale * difference.second, difference.location.empty() ? "" : " at ",
-                     difference.location);
+  return fmt::format("max change {:.6g}{} ({:.6g} -> {:.6g}){}{}", scale * *difference.max_abs,
+                     unit, scale * difference.first, scale * difference.second,
+                     difference.location.empty() ? "" : " at ", difference.location);
 }
 
 std::string datasets_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs) {
@@ -195,7 +185,7 @@ std::string datasets_text(const PlanDiff& diff, const std::vector<PlanPair>& pai
 
 std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, bool all,
                       std::size_t width) {
-  if (diff.equal()) return fmt::format("equal: {}\n", plans(diff.pairs.size()));
+  if (diff.equal()) return fmt::format("equal: {}\n", count_with_noun(diff.pairs.size(), "plan"));
   const std::set<std::string> differing = differing_plans(diff);
   std::string text = counts_text(diff, differing);
   if (!differing.empty())

@@ -40,8 +40,8 @@ std::string strip_markdown(std::string_view markdown) {
 /// Adds the key of a row "| `key` | default | meaning |".
 void add_row(const std::string& type, std::string_view line, DocTables& tables) {
   std::vector<std::size_t> bars;
-  for (std::size_t at = 0; (at = line.find('|', at)) != std::string_view::npos; ++at)
-    bars.push_back(at);
+  for (std::size_t i = 0; i < line.size(); ++i)
+    if (line[i] == '|') bars.push_back(i);
   if (bars.size() < 4) return;
   const std::string_view key = trim(line.substr(bars[0] + 1, bars[1] - bars[0] - 1));
   const std::string_view meaning = line.substr(bars[2] + 1, bars.back() - bars[2] - 1);
@@ -70,9 +70,8 @@ void add_doc_tables(std::string_view page, DocTables& tables) {
 
 DocTables doc_tables() {
   DocTables tables;
-  for (std::size_t i = 0; i < morphe_doc_pages_count; ++i) {
+  for (std::size_t i = 0; i < morphe_doc_pages_count; ++i)
     add_doc_tables(morphe_doc_pages[i].text(), tables);
-  }
   return tables;
 }
 

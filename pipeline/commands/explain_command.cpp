@@ -32,10 +32,9 @@ struct PlanSource {
   fs::path plans;
   store::PlanReader reader;
   robot::Robot robot;
-  /// Empty if the file does not contain a complete config.
-  std::optional<planning::RunConfig> config;
+  std::optional<planning::RunConfig> config;  ///< absent if the file lacks parts of it
   std::string why_no_config;
-  std::unique_ptr<store::DemonstrationReader> recordings;  ///< for --try
+  std::unique_ptr<store::DemonstrationReader> recordings;  ///< set for --try
 
   explicit PlanSource(const fs::path& file) : plans(file), reader(file), robot(reader.robot()) {
     try {
@@ -51,33 +50,29 @@ void open_recordings(const ExplainArguments& arguments, PlanSource& source) {
   if (!source.config) throw InputError(fmt::format("explain --try: {}", source.why_no_config));
   fs::path dataset = arguments.dataset;
   if (dataset.empty()) dataset = source.plans.parent_path() / "demonstrations.h5";
-  if (!fs::exists(dataset)) {
+  if (!fs::exists(dataset))
     throw InputError(
         fmt::format("explain --try: {} does not exist; give the run's recordings: --dataset F.h5",
                     dataset.string()));
-  }
-  const std::string wanted = source.reader.header().dataset_sha256;
-  if (files::sha256_of_file(dataset) != wanted) {
+  if (files::sha256_of_file(dataset) != source.reader.header().dataset_sha256)
     throw InputError(fmt::format("explain --try: {} is not the dataset from which {} was planned",
                                  dataset.string(), source.plans.string()));
-  }
   source.recordings = std::make_unique<store::DemonstrationReader>(dataset);
 }
 
 /// Returns the selected plans: the named one, those of a demonstration, or all infeasible ones.
-std::vector<std::size_t> selected_plans(const ExplainArguments& arguments,
-                                        const PlanSource& source) {
-  std::vector<std::size_t> found;
+std::vector<int> selected_plans(const ExplainArguments& arguments, const PlanSource& source) {
+  std::vector<int> selected;
   const std::vector<std::string>& paths = source.reader.plan_paths();
-  for (std::size_t k = 0; k < paths.size(); ++k) {
+  for (int k = 0; k < std::ssize(paths); ++k) {
     const bool named = paths[k] == arguments.plan || paths[k].starts_with(arguments.plan + "/");
     if (arguments.plan.empty() ? !source.reader.read(k).has_trajectory() : named)
-      found.push_back(k);
+      selected.push_back(k);
   }
-  return found;
+  return selected;
 }
 
-/// Returns the planning time of the plan's demonstration by stage, "" without a journal.
+/// Returns the planning time of the plan's demonstration by stage, "" if no journal has it.
 std::string planning_time_text(const PlanSource& source, const Plan& plan) {
   const fs::path folder = source.plans.parent_path();
   if (!fs::exists(folder / run::Journal::kFile)) return "";
@@ -92,9 +87,8 @@ std::string planning_time_text(const PlanSource& source, const Plan& plan) {
 }
 
 std::string outcome_of(const Plan& plan) {
-  if (!plan.has_trajectory()) {
+  if (!plan.has_trajectory())
     return fmt::format("infeasible, {}: {}", name_of(plan.reason), plan.detail);
-  }
   return fmt::format("{}: tip error at most {:.1f} mm", name_of(plan.status()),
                      1e3 * plan.certificate.tip_error_max);
 }
@@ -107,15 +101,14 @@ Json json_of(const PlanSource& source, const Plan& plan, const std::string& path
             {"detail", plan.detail},
             {"step_summary", explain::step_summary(source.reader.robot(), plan)},
             {"advice", Json::array()}};
-  for (const explain::TriedAdvice& one : advice) {
-    Json entry{{"kind", name_of(one.advice.kind)},
-               {"settings", one.advice.settings},
-               {"sentence", one.advice.sentence}};
-    if (one.plan) {
-      entry["trial"] = {{"status", name_of(one.plan->status())},
-                        {"reason", name_of(one.plan->reason)},
-                        {"detail", one.plan->detail}};
-    }
+  for (const explain::TriedAdvice& tried : advice) {
+    Json entry{{"kind", name_of(tried.advice.kind)},
+               {"settings", tried.advice.settings},
+               {"sentence", tried.advice.sentence}};
+    if (tried.plan)
+      entry["trial"] = {{"status", name_of(tried.plan->status())},
+                        {"reason", name_of(tried.plan->reason)},
+                        {"detail", tried.plan->detail}};
     json["advice"].push_back(entry);
   }
   return json;
@@ -126,9 +119,9 @@ std::string text_of(const PlanSource& source, const Plan& plan,
   std::string text =
       explain::step_summary(source.reader.robot(), plan) + planning_time_text(source, plan);
   const char* step = "try";
-  for (const explain::TriedAdvice& one : advice) {
-    text += fmt::format("  {:<13} {}\n", step, explain::text_of(one.advice));
-    if (one.plan) text += fmt::format("  {:<13}   tried: {}\n", "", outcome_of(*one.plan));
+  for (const explain::TriedAdvice& tried : advice) {
+    text += fmt::format("  {:<13} {}\n", step, explain::text_of(tried.advice));
+    if (tried.plan) text += fmt::format("  {:<13}   tried: {}\n", "", outcome_of(*tried.plan));
     step = "";
   }
   return text;
@@ -136,41 +129,37 @@ std::string text_of(const PlanSource& source, const Plan& plan,
 
 int execute(const ExplainArguments& arguments) {
   Json all = Json::array();
-  std::size_t told = 0;
+  int shown = 0;
   for (const fs::path& file : find_plans_files(arguments.file)) {
     PlanSource source(file);
     open_recordings(arguments, source);
-    for (const std::size_t k : selected_plans(arguments, source)) {
+    for (const int k : selected_plans(arguments, source)) {
       const Plan plan = source.reader.read(k);
       std::optional<Demonstration> recording;
       if (source.recordings) recording = source.recordings->read(plan.demonstration);
       std::vector<explain::TriedAdvice> advice;
-      if (!plan.has_trajectory()) {
+      if (!plan.has_trajectory())
         advice =
             explain::collect_advice(source.robot, plan, source.config ? &*source.config : nullptr,
                                     recording ? &*recording : nullptr);
-      }
       if (arguments.json) {
         all.push_back(json_of(source, plan, source.reader.plan_paths()[k], advice));
       } else {
-        fmt::print("{}{}", told > 0 ? "\n" : "", text_of(source, plan, advice));
+        fmt::print("{}{}", shown > 0 ? "\n" : "", text_of(source, plan, advice));
       }
-      ++told;
+      ++shown;
     }
   }
-  if (told == 0 && !arguments.plan.empty()) {
+  if (shown == 0 && !arguments.plan.empty())
     throw InputError(
         fmt::format("{}: contains no plan '{}'; plan names have the form DEMONSTRATION/000",
                     arguments.file, arguments.plan));
-  }
   if (arguments.json) fmt::print("{}\n", Json{{"plans", all}}.dump(2));
-  if (told == 0 && !arguments.json) fmt::print("no plan is infeasible\n");
+  if (shown == 0 && !arguments.json) fmt::print("no plan is infeasible\n");
   return 0;
 }
 
-}  // namespace
-
-Command explain_command(CLI::App& app) {
+CommandAction add_explain_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<ExplainArguments>();
   app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   app.add_option("PLAN", arguments->plan,
@@ -182,6 +171,13 @@ Command explain_command(CLI::App& app) {
                  "demonstrations.h5 for --try (default: the one in the run's folder)");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command explain_command() {
+  return {"explain", "Explain the result of a movement, and what to try if it is infeasible",
+          "  morphe explain outputs/first ADL001DR2/000\n", add_explain_arguments};
 }
 
 }  // namespace morphe::commands

@@ -25,31 +25,25 @@ struct ExportArguments {
 
 int execute(ExportArguments& arguments) {
   const std::filesystem::path plans = find_plans_file(arguments.plans);
-  const double delay_s = arguments.options.motion.delay_s,
-               rate_hz = arguments.options.motion.rate_hz;
-  if (std::isnan(delay_s)) throw InputError("--delay: must be a number of seconds");
-  if (std::isnan(rate_hz)) throw InputError("--rate: must be a number of points per second");
-  arguments.options.motion.approach = *enum_from_name<exports::ApproachMode>(arguments.approach);
+  auto& motion = arguments.options.motion;
+  if (std::isnan(motion.delay_s)) throw InputError("--delay: must be a number of seconds");
+  if (std::isnan(motion.rate_hz)) throw InputError("--rate: must be a number of points per second");
+  motion.approach = *enum_from_name<exports::ApproachMode>(arguments.approach);
   run::OutputFolder folder(arguments.out);
   const exports::ExportReport report =
       exports::export_plans(plans, folder.path(), arguments.options);
   folder.keep();
-  for (const exports::SkippedPlan& left : report.skipped) {
-    fmt::print("{} skipped: {}\n", left.plan, left.reason);
-  }
-  for (const std::string& file : report.files) {
-    fmt::print("{}\n", (folder.path() / file).string());
-  }
+  for (const exports::SkippedPlan& skipped : report.skipped)
+    fmt::print("{} skipped: {}\n", skipped.plan, skipped.reason);
+  for (const std::string& file : report.files) fmt::print("{}\n", (folder.path() / file).string());
   if (!report.remark.empty()) fmt::print("note: {}\n", report.remark);
-  const std::size_t files = report.files.size() - 1, left = report.skipped.size();
-  fmt::print("{} file{} and the index written, {} plan{} skipped\n", files, files == 1 ? "" : "s",
-             left, left == 1 ? "" : "s");
+  fmt::print("{} and the index written, {} skipped\n",
+             count_with_noun(report.files.size() - 1, "file"),
+             count_with_noun(report.skipped.size(), "plan"));
   return 0;
 }
 
-}  // namespace
-
-Command export_command(CLI::App& app) {
+CommandAction add_export_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<ExportArguments>();
   exports::ExportOptions& options = arguments->options;
   app.add_option("FILE", arguments->plans, "plans.h5 or the folder of a run")->required();
@@ -74,6 +68,15 @@ Command export_command(CLI::App& app) {
       ->check(CLI::IsMember({"apart", "joined", "none"}));
   app.add_flag("--replace", options.replace, "Replace existing files whose content differs");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command export_command() {
+  return {"export", "Write executable plans as CSV, ROS or robomimic files",
+          "  morphe export outputs/first --format csv --out outputs/csv\n"
+          "  morphe export outputs/first --format robomimic --out outputs/training\n",
+          add_export_arguments};
 }
 
 }  // namespace morphe::commands

@@ -8,7 +8,6 @@
 namespace morphe::commands {
 namespace {
 
-/// Quotes a word for a POSIX shell.
 std::string quote_for_shell(const std::string& word) {
   const bool plain = !word.empty() && word.find_first_not_of(
                                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
@@ -34,66 +33,59 @@ std::string quote_yaml_key(const std::string& name) {
   return quoted + "\"";
 }
 
-/// Returns the arguments without an option and its value.
 std::vector<std::string> remove_option(std::vector<std::string> arguments,
                                        const std::string& option) {
-  for (auto at = arguments.begin(); at != arguments.end();) {
-    if (*at == option && at + 1 != arguments.end()) {
-      at = arguments.erase(at, at + 2);
-    } else if (at->starts_with(option + "=")) {
-      at = arguments.erase(at);
+  for (auto word = arguments.begin(); word != arguments.end();) {
+    if (*word == option && word + 1 != arguments.end()) {
+      word = arguments.erase(word, word + 2);
+    } else if (word->starts_with(option + "=")) {
+      word = arguments.erase(word);
     } else {
-      ++at;
+      ++word;
     }
   }
   return arguments;
 }
 
-/// Returns the option for a key of Conventions: "--joint-order".
+/// Returns the option for a key of imports::Conventions, such as "--joint-order".
 std::string option_of(std::string key) {
   std::ranges::replace(key, '_', '-');
   return "--" + key;
 }
 
-/// Returns "reach_names.yaml" in the folder of the manifest, or in the current folder; with a
-/// number if the file exists.
+/// Returns the name of a new file beside the manifest or in the current folder: "reach_names.yaml".
 std::string names_file(const imports::UnresolvedImport& question) {
   const std::filesystem::path folder = std::filesystem::path(question.manifest).parent_path();
   const std::string stem = std::filesystem::path(question.file).stem().string() + "_names";
   std::string name = stem + ".yaml";
   std::error_code ignored;
-  for (int n = 2; std::filesystem::exists(folder / name, ignored); ++n) {
+  for (int n = 2; std::filesystem::exists(folder / name, ignored); ++n)
     name = fmt::format("{}_{}.yaml", stem, n);
-  }
   return name;
 }
 
 std::string proposals_text(const imports::UnresolvedImport& question) {
   std::string text = "proposed:\n";
-  for (const auto& [key, guess] : question.proposal.conventions) {
+  for (const auto& [key, guess] : question.proposal.conventions)
     text += fmt::format("  {} {}: {}, {}\n", option_of(key), quote_for_shell(guess.value),
                         name_of(guess.confidence), guess.reason);
-  }
-  if (!question.proposal.names.empty()) {
+  if (!question.proposal.names.empty())
     text += fmt::format(
         "  --names {}: guessed from the words in the names, see \"used as\" above; check them\n",
         quote_for_shell(names_file(question)));
-  }
-  if (question.names_unresolved) {
+  if (question.names_unresolved)
     text +=
         "  --names: no arm found in its names; map them in a YAML file, one line per name, such "
         "as\n"
         "    RECORDED_NAME: right_shoulder\n"
         "  (right_elbow, right_wrist, right_index_mcp, right_thumb_tip, left_...)\n";
-  }
   return text;
 }
 
 std::string names_template(const imports::UnresolvedImport& question, const std::string& file) {
   std::string text = fmt::format("cat > {} <<'END'\n", quote_for_shell(file));
-  for (const auto& [recorded, ours] : question.proposal.names) {
+  for (const auto& [recorded, ours] : question.proposal.names)
     text += fmt::format("{}: {}\n", quote_yaml_key(recorded), ours);
-  }
   return text + "END\n";
 }
 
@@ -115,9 +107,8 @@ std::string command_line(const imports::UnresolvedImport& question,
 std::string manifest_lines(const imports::UnresolvedImport& question) {
   std::string text = fmt::format("add to {}, at the top level or to the entry of the recording:\n",
                                  question.manifest);
-  for (const auto& [key, guess] : question.proposal.conventions) {
+  for (const auto& [key, guess] : question.proposal.conventions)
     text += fmt::format("{}: {}\n", key == "rate" ? "rate_hz" : key, guess.value);
-  }
   if (!question.proposal.names.empty()) text += fmt::format("names: {}\n", names_file(question));
   return text;
 }
@@ -127,11 +118,10 @@ std::string manifest_lines(const imports::UnresolvedImport& question) {
 std::string import_question_text(const imports::UnresolvedImport& question,
                                  const std::vector<std::string>& arguments) {
   std::string text = question.summary + proposals_text(question);
-  const bool listed = !question.manifest.empty();
-  if (!listed) text += "to paste:\n";
-  if (!question.proposal.names.empty()) {
+  const bool listed = !question.manifest.empty(), named = !question.proposal.names.empty();
+  if (!listed || named) text += "to paste:\n";
+  if (named) {
     const auto folder = std::filesystem::path(question.manifest).parent_path();
-    if (listed) text += "to paste:\n";
     text += names_template(question, (folder / names_file(question)).string());
   }
   return text + (listed ? manifest_lines(question) : command_line(question, arguments));

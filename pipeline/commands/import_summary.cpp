@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +15,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/hdf5_signature.hpp"
-#include "stages/import/folders/entry_notes.hpp"
+#include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/read_recording.hpp"
 
 namespace morphe::commands {
@@ -25,63 +26,62 @@ using imports::ImportResult;
 using imports::SkippedFile;
 
 constexpr std::string_view kHashLinePrefix = "# morphe ";
-constexpr std::size_t kMaxLinesPerReason = 8, kShownLinesPerReason = 3;
+constexpr int kMaxLinesPerReason = 8, kShownLinesPerReason = 3;
 
-std::string skipped_text(const std::vector<SkippedFile>& left_out) {
-  std::map<std::string, std::size_t> count, shown;
-  const auto reason = [](const SkippedFile& one) {
-    return one.reason.substr(0, one.reason.find('\n'));
+const char* what_happened(const SkippedFile& file) {
+  return file.failed ? "cannot be read" : "skipped";
+}
+
+std::string skipped_text(const std::vector<SkippedFile>& skipped) {
+  std::map<std::string, int> count, shown;
+  const auto first_line = [](const SkippedFile& file) {
+    return file.reason.substr(0, file.reason.find('\n'));
   };
-  for (const SkippedFile& one : left_out) ++count[reason(one)];
+  for (const SkippedFile& file : skipped) ++count[first_line(file)];
   std::string text;
-  for (const SkippedFile& one : left_out) {
-    const char* const how = one.failed ? "cannot be read" : "skipped";
-    const std::string why = reason(one);
-    const std::size_t all = count[why];
-    if (all > kMaxLinesPerReason && shown[why] == kShownLinesPerReason) continue;
-    text += fmt::format("{}: {}\n", how, skip_message(one));
-    if (++shown[why] == kShownLinesPerReason && all > kMaxLinesPerReason) {
-      text += fmt::format("{}: {} more: {}\n", how, all - kShownLinesPerReason, why);
-    }
+  for (const SkippedFile& file : skipped) {
+    const std::string reason = first_line(file);
+    const int files = count[reason];
+    if (files > kMaxLinesPerReason && shown[reason] == kShownLinesPerReason) continue;
+    text += fmt::format("{}: {}\n", what_happened(file), skip_message(file));
+    if (++shown[reason] == kShownLinesPerReason && files > kMaxLinesPerReason)
+      text += fmt::format("{}: {} more: {}\n", what_happened(file), files - kShownLinesPerReason,
+                          reason);
   }
   return text;
 }
 
-bool has_note(const imports::ManifestEntry& entry, std::string_view beginning) {
-  return std::ranges::any_of(entry.notes,
-                             [&](const std::string& note) { return note.starts_with(beginning); });
-}
-
-/// Returns a line for each subject with the number of recordings that have a note.
-std::string notes_by_subject_text(const ImportResult& imported, std::string_view note,
+/// Returns a line per subject: its number of recordings with a note that starts so, and `meaning`.
+std::string notes_by_subject_text(const ImportResult& imported, std::string_view beginning,
                                   const char* meaning) {
-  std::map<std::string, std::size_t> of;
+  std::map<std::string, int> recordings;
   for (const imports::ManifestEntry& entry : imported.entries) {
-    if (has_note(entry, note)) ++of[entry.subject];
+    if (std::ranges::any_of(entry.notes,
+                            [&](const std::string& note) { return note.starts_with(beginning); }))
+      ++recordings[entry.subject];
   }
   std::string text;
-  for (const auto& [subject, count] : of) {
+  for (const auto& [subject, count] : recordings)
     text += fmt::format("note: {}{}: {}\n", subject.empty() ? "" : subject + ": ",
                         count_with_noun(count, "recording"), meaning);
-  }
   return text;
 }
 
 std::string summary_line(const ImportResult& imported) {
-  std::size_t with_static = 0, left = 0;
-  std::map<std::string, int> people;
+  std::size_t with_static = 0, left_handed = 0;
+  std::set<std::string> people;
   for (const imports::ManifestEntry& entry : imported.entries) {
     with_static += entry.static_trial.empty() ? 0U : 1U;
-    left += entry.hand == imports::HandSelection::left ? 1U : 0U;
-    if (!entry.subject.empty()) ++people[entry.subject];
+    left_handed += entry.hand == imports::HandSelection::left ? 1U : 0U;
+    if (!entry.subject.empty()) people.insert(entry.subject);
   }
-  const std::size_t all = imported.entries.size();
+  const std::size_t recordings = imported.entries.size();
   return fmt::format("found: {}{}, {} with a static trial; right hand {}, left hand {}\n",
-                     count_with_noun(all, "recording"),
+                     count_with_noun(recordings, "recording"),
                      people.empty()       ? ""
                      : people.size() == 1 ? " of 1 person"
                                           : fmt::format(" of {} people", people.size()),
-                     with_static, all - left, left);
+                     with_static, recordings - left_handed, left_handed);
 }
 
 std::string read_all(const fs::path& file) {
@@ -103,11 +103,9 @@ bool is_demonstrations_file(const fs::path& file) {
 }
 
 std::string import_summary_text(const ImportResult& imported) {
-  if (imported.skipped.empty() && std::ranges::all_of(imported.entries, [](const auto& entry) {
-        return entry.notes.empty();
-      })) {
+  if (imported.skipped.empty() &&
+      std::ranges::all_of(imported.entries, [](const auto& entry) { return entry.notes.empty(); }))
     return "";
-  }
   return summary_line(imported) +
          notes_by_subject_text(imported, imports::kNoStaticTrial,
                                "no static trial found: joint centres may be wrong by centimetres") +
@@ -123,7 +121,9 @@ std::string import_summary_text(const ImportResult& imported) {
 }
 
 int count_failed(const ImportResult& imported) {
-  return static_cast<int>(std::ranges::count_if(imported.skipped, &SkippedFile::failed));
+  int count = 0;
+  for (const SkippedFile& file : imported.skipped) count += file.failed ? 1 : 0;
+  return count;
 }
 
 void GeneratedManifest::expect_replaceable() const {
@@ -145,9 +145,8 @@ void GeneratedManifest::write(const ImportResult& imported) const {
       "dataset;\n"
       "# paths are relative to it. Notes list the assumptions, and are stored with the plans.\n";
   const fs::path folder = file_.parent_path().empty() ? fs::path(".") : file_.parent_path();
-  for (const SkippedFile& one : imported.skipped) {
-    std::string line =
-        fmt::format("# {}: {}", one.failed ? "cannot be read" : "skipped", skip_message(one));
+  for (const SkippedFile& file : imported.skipped) {
+    std::string line = fmt::format("# {}: {}", what_happened(file), skip_message(file));
     std::ranges::replace_if(
         line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
     body += line + "\n";

@@ -7,28 +7,24 @@
 
 namespace morphe::commands {
 
-/// Returns true for a demonstrations.h5, identified by its extension or its first bytes; any other
-/// file is to be imported.
+/// Returns true for a demonstrations.h5, also a damaged one; false for a file to be imported.
 bool is_demonstrations_file(const std::filesystem::path& file);
 
-/// Returns a summary for display: the recordings found in the folders of a request, the values that
-/// were assumed for them, and a line for each file that was left out (if there are many with one
-/// reason: the first of them and their number). Returns "" if there are no remarks.
+/// Returns the number of recordings found, the values that were assumed for them, and a line for
+/// each file that was skipped or cannot be read; of many files with one reason, only the first and
+/// the number of the others. Returns "" if no value was assumed and no file skipped.
 std::string import_summary_text(const imports::ImportResult& imported);
 
 /// Returns the number of recordings that could not be read.
 int count_failed(const imports::ImportResult& imported);
 
-/// The generated manifest of the recordings found, beside a result. A manifest that was written by
-/// somebody else, or edited since, is not replaced.
+/// The manifest of the recordings found, written beside a result.
 class GeneratedManifest {
  public:
-  /// Uses the given path.
   explicit GeneratedManifest(std::filesystem::path file) : file_(std::move(file)) {}
-  /// Throws InputError if the file exists and must not be replaced. To be called before any other
-  /// work.
+  /// Throws InputError if the file exists and is not as write() left it. To be called at first.
   void expect_replaceable() const;
-  /// Writes the manifest.
+  /// Writes or replaces the file.
   void write(const imports::ImportResult& imported) const;
 
  private:

@@ -7,10 +7,9 @@
 #include "core/store/demonstration_file.hpp"
 #include "core/store/sandbox_probe.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/import_options.hpp"
 #include "pipeline/commands/import_summary.hpp"
-#include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/inspect_report.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
 
 namespace morphe::commands {
@@ -28,10 +27,10 @@ bool is_one_recording(const std::filesystem::path& file) {
          !std::filesystem::is_directory(file);
 }
 
-/// Passes all demonstrations of a file to `sink`: an imported one, or recordings, folders and
-/// manifests that are imported first. Returns the recordings found in the latter.
-imports::ImportResult for_each(const imports::ImportRequest& request,
-                               const std::function<void(Demonstration&&)>& sink) {
+/// Passes all demonstrations of a demonstrations.h5 to `sink`, or those of recordings, which are
+/// imported. Returns the result of the import, empty for a demonstrations.h5.
+imports::ImportResult for_each_demonstration(const imports::ImportRequest& request,
+                                             const std::function<void(Demonstration&&)>& sink) {
   const std::filesystem::path& file = request.paths.front();
   if (std::filesystem::is_directory(file) || !is_demonstrations_file(file))
     return imports::import_recordings(request, sink);
@@ -41,22 +40,18 @@ imports::ImportResult for_each(const imports::ImportRequest& request,
   return {};
 }
 
-}  // namespace
-
-Command inspect_command(CLI::App& app) {
+CommandAction add_inspect_arguments(CLI::App& app) {
   struct Arguments {
     std::string file, config;
     imports::ImportRequest request;
     bool json = false, points = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file,
-                 "demonstrations.h5, a recording, a folder of recordings or a manifest")
-      ->required()
-      ->transform(input_file());
-  app.add_option("--config", arguments->config,
-                 "Pipeline config to reconstruct and segment with (default: default values)")
-      ->transform(input_file());
+  add_input_option(app, "FILE", arguments->file,
+                   "demonstrations.h5, a recording, a folder of recordings or a manifest")
+      ->required();
+  add_input_option(app, "--config", arguments->config,
+                   "Pipeline config to reconstruct and segment with (default: default values)");
   add_import_options(app, arguments->request);
   app.add_flag("--points", arguments->points,
                "List markers or joints with the body part assigned to each (always listed for a "
@@ -69,7 +64,7 @@ Command inspect_command(CLI::App& app) {
     const bool points = arguments->points || is_one_recording(arguments->file);
     std::size_t demonstrations = 0, movements = 0, usable = 0;
     const imports::ImportResult imported =
-        for_each(arguments->request, [&](Demonstration&& demonstration) {
+        for_each_demonstration(arguments->request, [&](Demonstration&& demonstration) {
           Inspection inspection = inspect(demonstration, options);
           ++demonstrations;
           movements += inspection.movements.size();
@@ -90,6 +85,16 @@ Command inspect_command(CLI::App& app) {
     }
     return count_failed(imported) > 0 ? 1 : 0;
   };
+}
+
+}  // namespace
+
+Command inspect_command() {
+  return {"inspect",
+          "Show the content of a recording or demonstrations.h5, and what cannot be used",
+          "  morphe inspect datasets/ue-adl/ADL001DR2.csv\n"
+          "  morphe inspect outputs/adl.h5 --config configs/pipelines/pa10_dlr_hit2.yaml\n",
+          add_inspect_arguments};
 }
 
 }  // namespace morphe::commands

@@ -26,14 +26,13 @@ Json json_of(const StreamReport& s) {
 
 Json json_of(const MovementReport& report) {
   Json phases = Json::array();
-  for (const Phase& phase : report.movement.phases) {
+  for (const Phase& phase : report.movement.phases)
     phases.push_back({{"name", name_of(phase.kind)},
                       {"begin_s", phase.begin_s},
                       {"end_s", phase.end_s},
                       {"confidence", phase.confidence},
                       {"begin_confidence", phase.begin_confidence},
                       {"end_confidence", phase.end_confidence}});
-  }
   return {{"begin_s", report.movement.begin_s},
           {"end_s", report.movement.end_s},
           {"phases", phases},
@@ -42,14 +41,14 @@ Json json_of(const MovementReport& report) {
 }
 
 Json json_of(const imports::PointSummary& point) {
-  const auto place = [](const Vec3& v) {
+  const auto vector = [](const Vec3& v) {
     return is_known(v) ? Json::array({v.x(), v.y(), v.z()}) : Json(nullptr);
   };
   return {{"name", point.name},
           {"body_part", point.body_part},
           {"valid_share", point.seen_share},
-          {"centre_m", place(point.centre)},
-          {"extent_m", place(point.extent)}};
+          {"centre_m", vector(point.centre)},
+          {"extent_m", vector(point.extent)}};
 }
 
 template <class Items>
@@ -61,12 +60,11 @@ Json json_list(const Items& items) {
 
 Json json_of(const Inspection& i) {
   Json rebuilt = Json::object(), residuals = Json::array();
-  for (const auto& [what, how_much] : i.reconstructed_shares) rebuilt[what] = how_much;
-  for (const Residual& r : i.residuals) {
+  for (const auto& [point, share] : i.reconstructed_shares) rebuilt[point] = share;
+  for (const Residual& r : i.residuals)
     residuals.push_back({{"name", r.name},
                          {"rms_m", std::isfinite(r.rms_m) ? Json(r.rms_m) : Json(nullptr)},
                          {"max_m", std::isfinite(r.max_m) ? Json(r.max_m) : Json(nullptr)}});
-  }
   return {{"name", i.name},
           {"duration_s", i.duration_s},
           {"streams", json_list(i.streams)},
@@ -89,24 +87,21 @@ void add_stream(const StreamReport& s, const char* prefix, std::string& text) {
   text += fmt::format("  {}{}: {} columns, {:.2f} Hz, {:.2f} to {:.2f} s, {:.1f} % valid", prefix,
                       s.name, s.columns, s.rate_hz, s.begin_s, s.begin_s + s.duration_s,
                       100 * s.valid_share);
-  if (s.gaps > 0) {
+  if (s.gaps > 0)
     text += fmt::format(", {} gaps (longest {:.2f} s: {})", s.gaps, s.longest_gap_s,
                         s.longest_gap_column);
-  }
   text += "\n";
-  if (!s.empty_columns.empty()) {
+  if (!s.empty_columns.empty())
     text += fmt::format("    never valid: {}\n", fmt::join(s.empty_columns, ", "));
-  }
 }
 
 void add_movement(const MovementReport& report, std::string& text) {
   text +=
       fmt::format("  movement {:.2f} to {:.2f} s:", report.movement.begin_s, report.movement.end_s);
-  for (const Phase& phase : report.movement.phases) {
+  for (const Phase& phase : report.movement.phases)
     text +=
         fmt::format(" {} {:.2f}-{:.2f} ({:.0f} %, {:.0f} %)", name_of(phase.kind), phase.begin_s,
                     phase.end_s, 100 * phase.begin_confidence, 100 * phase.end_confidence);
-  }
   if (!report.movement.target.empty()) text += fmt::format("; target {}", report.movement.target);
   if (!report.unusable_reason.empty())
     text += fmt::format("; unusable, {}", report.unusable_reason);
@@ -124,17 +119,15 @@ std::string inspection_text(const Inspection& i) {
   for (const StreamReport& stream : i.calibration) add_stream(stream, "calibration ", text);
   if (!i.objects.empty()) text += fmt::format("  objects: {}\n", fmt::join(i.objects, ", "));
   std::vector<std::string> rebuilt;
-  for (const auto& [what, how_much] : i.reconstructed_shares) {
-    if (how_much > 0) rebuilt.push_back(fmt::format("{} {:.0f} %", what, 100 * how_much));
-  }
+  for (const auto& [point, share] : i.reconstructed_shares)
+    if (share > 0) rebuilt.push_back(fmt::format("{} {:.0f} %", point, 100 * share));
   if (!rebuilt.empty()) text += fmt::format("  reconstructed: {}\n", fmt::join(rebuilt, ", "));
   for (const MovementReport& movement : i.movements) add_movement(movement, text);
   for (const auto& [kind, sentences] :
        {std::pair("estimated", &i.estimated), std::pair("missing", &i.missing),
-        std::pair("import", &i.import_notes), std::pair("problem", &i.problems)}) {
+        std::pair("import", &i.import_notes), std::pair("problem", &i.problems)})
     for (const std::string& sentence : *sentences)
       text += fmt::format("  {}: {}\n", kind, sentence);
-  }
   return text;
 }
 
@@ -143,10 +136,9 @@ std::string inspections_json(const std::vector<Inspection>& inspections,
   Json all = Json::array();
   for (const Inspection& inspection : inspections) all.push_back(json_of(inspection));
   Json json{{"demonstrations", all}};
-  for (const imports::SkippedFile& one : skipped) {
+  for (const imports::SkippedFile& file : skipped)
     json["skipped"].push_back(
-        {{"file", one.file.string()}, {"reason", one.reason}, {"failed", one.failed}});
-  }
+        {{"file", file.file.string()}, {"reason", file.reason}, {"failed", file.failed}});
   return json.dump(2);
 }
 

@@ -11,33 +11,33 @@
 namespace morphe::commands {
 namespace {
 
-double seen_share(const std::vector<Vec3>& points) {
+double known_share(const std::vector<Vec3>& points) {
   const auto count = std::ranges::count_if(points, [](const Vec3& p) { return is_known(p); });
   return points.empty() ? 0 : static_cast<double>(count) / static_cast<double>(points.size());
 }
 
 void inspect_reconstruction(const HumanMotion& motion, Inspection& inspection) {
-  inspection.reconstructed_shares = {{"shoulder", seen_share(motion.shoulder)},
-                                     {"elbow", seen_share(motion.elbow)},
-                                     {"wrist", seen_share(motion.wrist)}};
+  inspection.reconstructed_shares = {{"shoulder", known_share(motion.shoulder)},
+                                     {"elbow", known_share(motion.elbow)},
+                                     {"wrist", known_share(motion.wrist)}};
   for (std::size_t finger = 0; finger < kFingerCount && motion.tip.rows > 0; ++finger) {
     std::vector<Vec3> tip;
     for (std::size_t i = 0; i < motion.tip.rows; ++i) tip.push_back(motion.tip(i, finger));
     inspection.reconstructed_shares.emplace_back(fmt::format("{} tip", kFingerNames[finger]),
-                                                 seen_share(tip));
+                                                 known_share(tip));
   }
   std::vector<std::string> tips;
-  for (const auto& [what, how_much] : inspection.reconstructed_shares) {
-    if (how_much > 0) continue;
-    if (what == "shoulder") {
+  for (const auto& [point, share] : inspection.reconstructed_shares) {
+    if (share > 0) continue;
+    if (point == "shoulder") {
       inspection.missing.push_back("the shoulder: no movement can be planned");
-    } else if (what == "elbow") {
+    } else if (point == "elbow") {
       inspection.missing.push_back("the elbow: humanlikeness cannot be evaluated");
-    } else if (what == "wrist") {
+    } else if (point == "wrist") {
       inspection.missing.push_back(
           "the wrist: movements of the arm cannot be distinguished from movements of the fingers");
     } else {
-      tips.push_back(what.substr(0, what.find(' ')));
+      tips.push_back(point.substr(0, point.find(' ')));
     }
   }
   if (tips.size() == kFingerCount) {
@@ -49,12 +49,11 @@ void inspect_reconstruction(const HumanMotion& motion, Inspection& inspection) {
   }
 }
 
-/// Returns the reason with the same codes as in plans.h5: no_shoulder, no_goal and not_human.
+/// Returns the reason with the codes that plans.h5 has, "" if the movement can be planned.
 std::string find_unusable_reason(const HumanMotion& motion, const Movement& movement,
                                  const reconstruct::HumanOptions& human) {
-  if (const PlanningFailure refusal = reconstruct::check_human_limits(motion, human)) {
-    return fmt::format("{}: {}", name_of(refusal.reason), refusal.detail);
-  }
+  if (const PlanningFailure failure = reconstruct::check_human_limits(motion, human))
+    return fmt::format("{}: {}", name_of(failure.reason), failure.detail);
   bool shoulder = false, tip = false;
   for (std::size_t i = 0; i < motion.time.size(); ++i) {
     if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;

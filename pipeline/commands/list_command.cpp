@@ -3,16 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "core/motion/count_with_noun.hpp"
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
-#include "pipeline/commands/row_options.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
 
 namespace morphe::commands {
+namespace {
 
-Command list_command(CLI::App& app) {
+CommandAction add_list_arguments(CLI::App& app) {
   struct Arguments {
     std::string file;
     RowSelection choice;
@@ -29,13 +31,21 @@ Command list_command(CLI::App& app) {
       PlanRow row = row_of(robot, plans.read(k));
       if (is_selected(arguments->choice, row)) rows.push_back(std::move(row));
     }
-    const std::size_t shown = rows.size(), width = terminal_width();
     sort_rows(arguments->choice, rows);
-    fmt::print("{}{}{} of {} plan{}\n", plan_table(rows, width),
-               reference_frames_text(plans.robot().name, rows, width), shown, plans.size(),
-               plans.size() == 1 ? "" : "s");
+    const std::size_t width = terminal_width();
+    fmt::print("{}{}{} of {}\n", plan_table(rows, width),
+               reference_frames_text(plans.robot().name, rows, width), rows.size(),
+               count_with_noun(plans.size(), "plan"));
     return 0;
   };
+}
+
+}  // namespace
+
+Command list_command() {
+  return {"list", "Print the table of plans in a plans.h5, sorted or filtered",
+          "  morphe list outputs/first --sort tip_error_max --only executable\n",
+          add_list_arguments};
 }
 
 }  // namespace morphe::commands

@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,7 +13,6 @@
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/examples.hpp"
 #include "pipeline/commands/import_question_text.hpp"
 #include "pipeline/commands/standard_streams.hpp"
 #include "pipeline/commands/suggestions.hpp"
@@ -20,44 +20,7 @@
 
 namespace {
 
-struct CommandEntry {
-  const char* name;
-  const char* description;
-  morphe::commands::Command (*add)(CLI::App&);
-};
-
-constexpr std::array<CommandEntry, 17> kCommands{{
-    {"diff", "Compare two plans.h5: which plans differ, and by how much",
-     morphe::commands::diff_command},
-    {"doctor", "Check whether this system has everything that Morphe needs",
-     morphe::commands::doctor_command},
-    {"explain", "Explain the result of a movement, and what to try if it is infeasible",
-     morphe::commands::explain_command},
-    {"export", "Write executable plans as CSV, ROS or robomimic files",
-     morphe::commands::export_command},
-    {"import", "Convert recordings into a demonstrations.h5", morphe::commands::import_command},
-    {"inspect", "Show the content of a recording or demonstrations.h5, and what cannot be used",
-     morphe::commands::inspect_command},
-    {"list", "Print the table of plans in a plans.h5, sorted or filtered",
-     morphe::commands::list_command},
-    {"merge", "Join the shards of a run into one plans.h5", morphe::commands::merge_command},
-    {"place", "Find the best placement of a robot's base for a dataset",
-     morphe::commands::place_command},
-    {"report", "Write a page that plays every plan of a plans.h5 in a browser",
-     morphe::commands::report_command},
-    {"robot", "Check, print and draw a robot description", morphe::commands::robot_command},
-    {"run", "Plan recorded demonstrations: write DIR/plans.h5", morphe::commands::run_command},
-    {"schema", "Print the JSON schema of a kind of YAML file, for editors",
-     morphe::commands::schema_command},
-    {"simulate", "Simulate whether the grasps of a plans.h5 hold",
-     morphe::commands::simulate_command},
-    {"synthesize", "Generate recordings with known ground truth",
-     morphe::commands::synthesize_command},
-    {"study", "Run a study: write its figures to DIR/results.json",
-     morphe::commands::study_command},
-    {"verify", "Check a plans.h5 with independent code, using only the file",
-     morphe::commands::verify_command},
-}};
+namespace commands = morphe::commands;
 
 constexpr int kInputErrorExitCode = 2;
 
@@ -70,28 +33,14 @@ bool is_cpu_supported() {
 #endif
 }
 
-/// Adds examples to the help of each command.
-void add_examples(CLI::App& app, const std::string& before) {
-  for (CLI::App* const command : app.get_subcommands({})) {
-    const std::string name = before + command->get_name();
-    command->footer(morphe::commands::examples_of(name));
-    add_examples(*command, name + " ");
-  }
-}
-
-int print_usage_error(const std::string& wrong, const std::string& command) {
-  fmt::print(stderr,
-             "{}\n"
-             "See morphe {}--help.\n",
-             wrong, command);
+int print_usage_error(const std::string& message, const std::string& command) {
+  fmt::print(stderr, "{}\nSee morphe {}--help.\n", message, command);
   return kInputErrorExitCode;
 }
 
-/// Implements `morphe --complete WORD…` for the shell.
 int complete(const CLI::App& app, int argc, char** argv) {
   const std::vector<std::string> words(argv + 2, argv + argc);
-  for (const std::string& word : morphe::commands::completions(app, words))
-    fmt::print("{}\n", word);
+  for (const std::string& word : commands::completions(app, words)) fmt::print("{}\n", word);
   return 0;
 }
 
@@ -110,41 +59,38 @@ int execute(int argc, char** argv) {
     return kInputErrorExitCode;
   }
   morphe::run::watch_stop_signals();
-  std::signal(
-      SIGXFSZ,
-      SIG_IGN);  // exceeding a limit on file sizes is reported as an error, like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error like a full disk
   CLI::App app(
       "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
       "Shipped files (configs/..., datasets/...) are found from every folder.",
       "morphe");
   app.set_version_flag("--version", morphe::software());
   app.require_subcommand(1);
-  std::array<morphe::commands::Command, kCommands.size()> commands;
-  for (std::size_t i = 0; i < kCommands.size(); ++i) {
-    commands[i] =
-        kCommands[i].add(*app.add_subcommand(kCommands[i].name, kCommands[i].description));
+  std::map<const CLI::App*, morphe::commands::CommandAction> actions;
+  for (const auto command_of : commands::kCommands) {
+    const commands::Command command = command_of();
+    CLI::App* const subcommand = app.add_subcommand(command.name, command.description);
+    subcommand->footer("Examples:\n" + command.examples);
+    actions[subcommand] = command.add_arguments(*subcommand);
   }
-  add_examples(app, "");
   const std::string first = argc > 1 ? argv[1] : "";
   if (first == "--complete") return complete(app, argc, argv);
   if (!first.empty() && first[0] != '-') {
-    const std::vector<std::string> names = morphe::commands::command_names(app);
+    const std::vector<std::string> names = commands::command_names(app);
     if (std::ranges::find(names, first) == names.end())
-      return print_usage_error(morphe::commands::unknown_command(app, first), "");
+      return print_usage_error(commands::unknown_command(app, first), "");
   }
   try {
     app.parse(argc, argv);
-    for (std::size_t i = 0; i < kCommands.size(); ++i) {
-      if (app.got_subcommand(kCommands[i].name)) return commands[i]();
-    }
+    return actions.at(app.get_subcommands().front())();
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = morphe::commands::unknown_options(app);
+    const std::string unknown = commands::unknown_options(app);
     if (error.get_exit_code() != 0 && !unknown.empty())
       return print_usage_error(unknown.substr(0, unknown.size() - 1), first + " ");
     return print_parse_error(app, error);
   } catch (const morphe::imports::UnresolvedImport& question) {
     fmt::print(stderr, "{}\n{}", question.what(),
-               morphe::commands::import_question_text(question, {argv + 1, argv + argc}));
+               commands::import_question_text(question, {argv + 1, argv + argc}));
   } catch (const morphe::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::exception& error) {
@@ -156,6 +102,6 @@ int execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  morphe::commands::guard_standard_streams();
-  return morphe::commands::flush_standard_output(execute(argc, argv));
+  commands::guard_standard_streams();
+  return commands::flush_standard_output(execute(argc, argv));
 }

@@ -38,15 +38,23 @@ int execute(const MergeArguments& arguments) {
   return arguments.strict && summary.infeasible > 0 ? 1 : 0;
 }
 
-}  // namespace
-
-Command merge_command(CLI::App& app) {
+CommandAction add_merge_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<MergeArguments>();
   app.add_option("DIR", arguments->folders, "Folders of all shards of one run")->required();
   app.add_option("--out", arguments->out, "Folder for the merged plans.h5")->required();
   app.add_flag("--strict", arguments->strict, "Exit 1 if a movement is infeasible");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command merge_command() {
+  return {"merge", "Join the shards of a run into one plans.h5",
+          "  morphe run configs/pipelines/pa10_dlr_hit2.yaml --out outputs/shards/1 --shard 1/2\n"
+          "  morphe run configs/pipelines/pa10_dlr_hit2.yaml --out outputs/shards/2 --shard 2/2\n"
+          "  morphe merge outputs/shards/1 outputs/shards/2 --out outputs/merged\n",
+          add_merge_arguments};
 }
 
 }  // namespace morphe::commands

@@ -9,10 +9,8 @@
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/import_summary.hpp"
-#include "pipeline/commands/input_file.hpp"
-#include "pipeline/commands/jobs_option.hpp"
 #include "pipeline/commands/place_report.hpp"
-#include "pipeline/commands/text_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/place/place.hpp"
 #include "pipeline/place/reachability_map.hpp"
 #include "pipeline/run/status_line.hpp"
@@ -35,10 +33,9 @@ struct PlaceArguments {
 std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
                                         const planning::LoadedConfig& config) {
   const fs::path file = arguments.dataset.empty() ? config.dataset : fs::path(arguments.dataset);
-  if (file.empty()) {
+  if (file.empty())
     throw InputError(
         fmt::format("{}: dataset: is missing (give it here, or --dataset)", arguments.config));
-  }
   if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
   std::vector<Demonstration> demonstrations;
   if (fs::is_directory(file) || !is_demonstrations_file(file)) {
@@ -59,13 +56,14 @@ place::FixedCoordinates parse_fix_option(const std::string& list) {
   place::FixedCoordinates fixed;
   for (const std::string& word : CLI::detail::split(list, ',')) {
     if (word.empty()) continue;
-    bool* const part = word == "x"          ? &fixed.x
-                       : word == "y"        ? &fixed.y
-                       : word == "z"        ? &fixed.z
-                       : word == "rotation" ? &fixed.rotation
-                                            : nullptr;
-    if (!part) throw InputError(fmt::format("--fix {}: must be one of x, y, z, rotation", list));
-    *part = true;
+    bool* const coordinate = word == "x"          ? &fixed.x
+                             : word == "y"        ? &fixed.y
+                             : word == "z"        ? &fixed.z
+                             : word == "rotation" ? &fixed.rotation
+                                                  : nullptr;
+    if (!coordinate)
+      throw InputError(fmt::format("--fix {}: must be one of x, y, z, rotation", list));
+    *coordinate = true;
   }
   return fixed;
 }
@@ -77,23 +75,22 @@ place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t se
   options.fixed = parse_fix_option(arguments.fix);
   options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
   options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
-  if (const std::string wrong = validation_error(options); !wrong.empty()) {
-    throw InputError("place: " + wrong);
-  }
+  if (const std::string error = validation_error(options); !error.empty())
+    throw InputError("place: " + error);
   return options;
 }
 
-/// Returns a callback that shows a changing line on a terminal, otherwise one line for each tenth.
+/// Returns a callback that updates a line on a terminal, else prints a line after each tenth.
 place::ProgressCallback progress(bool quiet, run::StatusLine& status) {
-  return [quiet, &status](const std::string& what, int done, int of) {
+  return [quiet, &status](const std::string& stage, int finished, int total) {
     if (quiet) return;
-    const std::string text = fmt::format("place: {} {} of {}", what, done, of);
+    const std::string text = fmt::format("place: {} {} of {}", stage, finished, total);
     if (status.on_terminal()) return status.show(text);
-    if (done * 10 / of != (done - 1) * 10 / of) status.print(text);
+    if (finished * 10 / total != (finished - 1) * 10 / total) status.print(text);
   };
 }
 
-/// Returns a config that extends the given one by the placement of the base only.
+/// Returns a config that extends the given one and contains only the section `placement`.
 std::string config_text(const PlaceArguments& arguments, const place::PlacementResult& best) {
   const fs::path folder = fs::absolute(arguments.out).parent_path();
   const fs::path base =
@@ -112,44 +109,39 @@ int execute(const PlaceArguments& arguments) {
       place::make_trials(planner, read_dataset(arguments, config), options);
   run::StatusLine status;
   const place::ProgressCallback report = progress(arguments.json || arguments.quiet, status);
-  const std::vector<place::PlacementResult> found =
+  const std::vector<place::PlacementResult> placements =
       place::find_placements(planner, trials, options, report);
   const place::PlacementResult configured =
       place::plan_with_placement(planner, trials, config.options.placement, options.jobs);
-  if (!arguments.out.empty()) write_text(arguments.out, config_text(arguments, found.front()));
-  if (!arguments.reach_map.empty()) {
-    write_text(arguments.reach_map, place::svg_of(place::reachability_map(
-                                        planner, trials, found.front(), options, report)));
-  }
+  if (!arguments.out.empty())
+    files::write_atomically(arguments.out, config_text(arguments, placements.front()));
+  if (!arguments.reach_map.empty())
+    files::write_atomically(arguments.reach_map,
+                            place::svg_of(place::reachability_map(
+                                planner, trials, placements.front(), options, report)));
   status.clear();
   if (arguments.json) {
-    fmt::print("{}\n", place_json(configured, found));
+    fmt::print("{}\n", place_json(configured, placements));
     return 0;
   }
   fmt::print("{}\n{}\n", place_table_head(), place_row("configured", configured));
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    fmt::print("{}\n", place_row(std::to_string(k + 1), found[k]));
-  }
-  fmt::print("\n{}", placement_yaml(found.front().placement));
-  if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty())) {
+  for (std::size_t k = 0; k < placements.size(); ++k)
+    fmt::print("{}\n", place_row(std::to_string(k + 1), placements[k]));
+  fmt::print("\n{}", placement_yaml(placements.front().placement));
+  if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty()))
     fmt::print("note: {} does not contain --set and --dataset; pass them to run, too\n",
                arguments.out);
-  }
   return 0;
 }
 
-}  // namespace
-
-Command place_command(CLI::App& app) {
+CommandAction add_place_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<PlaceArguments>();
   place::PlaceOptions& options = arguments->options;
-  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")
-      ->required()
-      ->transform(input_file());
-  app.add_option("--dataset", arguments->dataset,
-                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
-                 "the config's")
-      ->transform(input_file());
+  add_input_option(app, "CONFIG", arguments->config, "Pipeline config (YAML)")->required();
+  add_input_option(
+      app, "--dataset", arguments->dataset,
+      "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+      "the config's");
   app.add_option("--out", arguments->out,
                  "Config to write (YAML); it extends CONFIG with the best placement");
   app.add_option("--reach-map", arguments->reach_map,
@@ -177,6 +169,15 @@ Command place_command(CLI::App& app) {
   app.add_flag("--quiet", arguments->quiet, "Print no progress");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command place_command() {
+  return {"place", "Find the best placement of a robot's base for a dataset",
+          "  morphe place configs/pipelines/iiwa14_allegro.yaml --mount side --out "
+          "outputs/placed.yaml --reach-map outputs/placed.svg\n",
+          add_place_arguments};
 }
 
 }  // namespace morphe::commands

@@ -16,9 +16,8 @@ Json json_of(const place::PlacementResult& found) {
   const place::PlannedSummary& planned = found.plan_summary;
   const place::PlacementMeasures& m = planned.measures;
   Json rotation = Json::array();
-  for (const auto& turn : found.placement.rotation) {
+  for (const auto& turn : found.placement.rotation)
     rotation.push_back({{"axis", turn.axis}, {"angle", turn.angle}});
-  }
   const auto point = [](const Vec3& p) { return Json::array({p.x(), p.y(), p.z()}); };
   return {{"rotation", rotation},
           {"shoulder_offset", point(found.placement.shoulder_offset)},
@@ -32,7 +31,7 @@ Json json_of(const place::PlacementResult& found) {
           {"upper_arm_error_median", planned.upper_arm_error_median},
           {"upper_arm_error_max", planned.upper_arm_error_max},
           {"palm_error", m.palm_error},
-          {"tempo", m.speed_ratio},
+          {"duration_ratio", m.speed_ratio},
           {"cost", place::cost_of(m)}};
 }
 
@@ -65,13 +64,12 @@ std::string place_row(const std::string& name, const place::PlacementResult& fou
 std::string placement_yaml(const map::PlacementOptions& placement) {
   std::string yaml = "placement:\n  rotation:";
   if (placement.rotation.empty()) yaml += " []";
-  for (const auto& turn : placement.rotation) {
+  for (const auto& turn : placement.rotation)
     yaml += fmt::format("\n    - {{axis: {}, angle: {:.1f} deg}}", turn.axis,
                         turn.angle / kRadPerDegree);
-  }
-  const Vec3& at = placement.shoulder_offset;
-  return yaml +
-         fmt::format("\n  shoulder_offset: [{:.3f}, {:.3f}, {:.3f}]\n", at.x(), at.y(), at.z());
+  const Vec3& offset = placement.shoulder_offset;
+  return yaml + fmt::format("\n  shoulder_offset: [{:.3f}, {:.3f}, {:.3f}]\n", offset.x(),
+                            offset.y(), offset.z());
 }
 
 std::string place_json(const place::PlacementResult& configured,

@@ -6,16 +6,15 @@
 
 namespace morphe::commands {
 
-/// Returns the head of a table with one row per placement: the results of full plans and the
-/// placement itself. There is no newline at the end.
+/// Returns the head of a table of placements, without a newline at the end.
 std::string place_table_head();
-/// Returns the row of a placement.
+/// Returns the row of a placement in this table, without a newline; `name` is its first cell.
 std::string place_row(const std::string& name, const place::PlacementResult& found);
 
-/// Returns the config section without indentation.
+/// Returns the section `placement` of a config.
 std::string placement_yaml(const map::PlacementOptions& placement);
 
-/// Returns the given placement and the found ones as JSON.
+/// Returns the configured placement and those found, the best first, as JSON.
 std::string place_json(const place::PlacementResult& configured,
                        const std::vector<place::PlacementResult>& found);
 

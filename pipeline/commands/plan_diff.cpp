@@ -11,8 +11,7 @@
 namespace morphe::commands {
 namespace {
 
-/// Reads a plan as a row. If it cannot be read, the row contains the error; its datasets are
-/// compared nevertheless.
+/// Returns the row of a plan; of one that cannot be read, a row "damaged" with the error.
 PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, std::size_t index) {
   try {
     return row_of(robot, plans.read(index));
@@ -29,34 +28,32 @@ PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, std:
 std::vector<PlanPair> pairs_of(const store::PlanReader& first, const store::PlanReader& second) {
   const robot::Robot robot_of_first(first.robot()), robot_of_second(second.robot());
   std::vector<PlanPair> pairs;
-  std::map<std::string, std::size_t> at;
+  std::map<std::string, std::size_t> pair_of;
   for (std::size_t k = 0; k < first.size(); ++k) {
-    at[first.plan_paths()[k]] = pairs.size();
+    pair_of[first.plan_paths()[k]] = pairs.size();
     pairs.push_back({first.plan_paths()[k], read_row(first, robot_of_first, k), {}});
   }
   for (std::size_t k = 0; k < second.size(); ++k) {
-    const std::string& name = second.plan_paths()[k];
-    const auto found = at.find(name);
-    PlanPair& pair =
-        found == at.end() ? pairs.emplace_back(PlanPair{name, {}, {}}) : pairs[found->second];
-    pair.second = read_row(second, robot_of_second, k);
+    const auto [entry, is_new] = pair_of.emplace(second.plan_paths()[k], pairs.size());
+    if (is_new) pairs.push_back({second.plan_paths()[k], {}, {}});
+    pairs[entry->second].second = read_row(second, robot_of_second, k);
   }
   return pairs;
 }
 
-FigureChange change_of(const std::vector<PlanPair>& pairs, std::size_t figure) {
+FigureChange change_of(const std::vector<PlanPair>& pairs, int figure) {
   FigureChange change;
   std::vector<double> before, after;
   for (const PlanPair& pair : pairs) {
-    const double moved = pair.change(figure);
-    if (std::isnan(moved)) continue;
+    const double difference = pair.change(figure);
+    if (std::isnan(difference)) continue;
+    ++change.plans;
     before.push_back(pair.first->figures[figure]);
     after.push_back(pair.second->figures[figure]);
-    if (std::abs(moved) <= std::abs(change.max_change)) continue;
-    change.max_change = moved;
+    if (std::abs(difference) <= std::abs(change.max_change)) continue;
+    change.max_change = difference;
     change.plan = pair.name;
   }
-  change.plans = before.size();
   change.median_first = median_of(before);
   change.median_second = median_of(after);
   return change;
@@ -68,13 +65,13 @@ std::vector<std::string> file_changes(const PlanFileHeader& a, const PlanFileHea
   if (a.dataset_sha256 != b.dataset_sha256) changes.emplace_back("another dataset");
   if (a.software != b.software) changes.push_back(a.software + " -> " + b.software);
   if (a.built_with != b.built_with) changes.emplace_back("another build");
-  const auto begins = [&](std::string_view what) {
+  const auto differs = [&](std::string_view path) {
     return std::ranges::any_of(data.differences, [&](const run::Difference& difference) {
-      return difference.plan.empty() && difference.dataset.starts_with(what);
+      return difference.plan.empty() && difference.dataset.starts_with(path);
     });
   };
-  if (begins("robot/") || begins("@robot")) changes.emplace_back("another robot");
-  if (begins("inputs")) changes.emplace_back("configs with different text");
+  if (differs("robot/") || differs("@robot")) changes.emplace_back("another robot");
+  if (differs("inputs")) changes.emplace_back("configs with different text");
   return changes;
 }
 
@@ -84,7 +81,7 @@ bool PlanPair::status_changed() const {
   return in_both() && (first->status != second->status || first->reason != second->reason);
 }
 
-double PlanPair::change(std::size_t figure) const {
+double PlanPair::change(int figure) const {
   return in_both() ? second->figures[figure] - first->figures[figure] : kUnknown;
 }
 
@@ -92,7 +89,7 @@ PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem
   PlanDiff diff{first, second, {}, {}, {}, {}, run::diff_files(first, second)};
   const store::PlanReader a(first), b(second);
   diff.pairs = pairs_of(a, b);
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k) diff.figures[k] = change_of(diff.pairs, k);
+  for (int k = 0; k < kPlanFigureCount; ++k) diff.figures[k] = change_of(diff.pairs, k);
   if (a.header().config != b.header().config)
     diff.config_changes = run::config_changes(a.header().config, b.header().config);
   diff.file_changes = file_changes(a.header(), b.header(), diff.dataset_differences);
@@ -101,19 +98,16 @@ PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem
 
 std::vector<PlanPair> select_pairs(const PlanDiff& diff, const RowSelection& choice) {
   std::vector<PlanPair> pairs;
-  for (const PlanPair& pair : diff.pairs) {
+  for (const PlanPair& pair : diff.pairs)
     if ((pair.first && is_selected(choice, *pair.first)) ||
         (pair.second && is_selected(choice, *pair.second)))
       pairs.push_back(pair);
-  }
   if (choice.sort_key == "name") std::ranges::stable_sort(pairs, {}, &PlanPair::name);
-  const auto& figures = plan_figures();
-  const auto key = std::ranges::find(figures, choice.sort_key, &PlanFigure::key);
-  if (key == figures.end()) return pairs;
-  const auto k = static_cast<std::size_t>(key - figures.begin());
+  const int figure = figure_index(choice.sort_key);
+  if (figure == kPlanFigureCount) return pairs;
   std::ranges::stable_sort(pairs, std::ranges::greater{}, [&](const PlanPair& pair) {
-    const double moved = pair.change(k);
-    return std::isnan(moved) ? -1 : std::abs(moved);
+    const double change = pair.change(figure);
+    return std::isnan(change) ? -1 : std::abs(change);
   });
   return pairs;
 }

@@ -10,61 +10,46 @@
 
 namespace morphe::commands {
 
-/// A plan of two files; a row is absent if its file does not contain the plan.
+/// A plan in one or both of two files; a row is absent if its file does not contain the plan.
 struct PlanPair {
-  /// The name of the plan.
   std::string name;
-  /// The rows of the two files.
   std::optional<PlanRow> first, second;
 
-  /// Returns true if both files contain the plan.
   bool in_both() const { return first && second; }
   /// Returns true if both files contain the plan with different status.
   bool status_changed() const;
-  /// Returns second - first of a figure in SI units, NaN if it does not apply in one of the files.
-  double change(std::size_t figure) const;
+  /// Returns second - first of a figure in SI units, NaN if one of the files does not have it.
+  double change(int figure) const;
 };
 
 /// The change of a figure over the plans that have it in both files.
 struct FigureChange {
-  /// The number of these plans.
-  std::size_t plans = 0;
-  /// The medians in the two files.
+  int plans = 0;  ///< number of these plans
   double median_first = kUnknown, median_second = kUnknown;
-  /// Signed change that is largest in magnitude.
-  double max_change = 0;
-  /// Plan with this change, "" if there is no change.
-  std::string plan;
+  double max_change = 0;  ///< signed change of the largest magnitude
+  std::string plan;       ///< name of the plan with max_change, "" without change
 };
 
 /// The differences of two plans.h5 files.
 struct PlanDiff {
-  /// The paths of the files.
   std::filesystem::path first, second;
-  /// In the order of the first file, then those that only the second contains.
-  std::vector<PlanPair> pairs;
-  /// The changes of all figures.
+  std::vector<PlanPair> pairs;  ///< in the order of the first file, then those of the second alone
   std::array<FigureChange, kPlanFigureCount> figures;
-  /// Changes of the config, such as "map.starts 24 -> 32".
-  std::vector<std::string> config_changes;
-  /// Other differences of the files, such as "another dataset".
-  std::vector<std::string> file_changes;
-  /// Bitwise differences.
-  run::DiffReport dataset_differences;
+  std::vector<std::string> config_changes;  ///< such as "map.starts 24 -> 32"
+  std::vector<std::string> file_changes;    ///< other changes, such as "another dataset"
+  run::DiffReport dataset_differences;      ///< as run::diff_files() returns them
 
-  /// Returns true if the files are equal.
   bool equal() const { return dataset_differences.differences.empty(); }
 };
 
-/// Compares two plans.h5 files.
+/// Compares two plans.h5 files. Throws InputError for a file that is not a plans.h5.
 PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second);
 
-/// Selects the pairs for --only and --sort: a pair is selected if one of its rows is; pairs with
-/// the largest change come first.
+/// Returns the pairs of which a row is selected, sorted by name or by |change|, the largest first.
 std::vector<PlanPair> select_pairs(const PlanDiff& diff, const RowSelection& choice);
 
-/// Returns the summary, then a row for each plan of `pairs` that changed; with `all`, every dataset
-/// as well.
+/// Returns a summary, a row for each plan of `pairs` that changed and, with `all`, a line for every
+/// dataset that differs. Lines are limited to `width` (0: unlimited).
 std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, bool all,
                       std::size_t width);
 /// Returns the differences as JSON, as docs/formats.md defines it.

@@ -13,29 +13,30 @@
 namespace morphe::commands {
 namespace {
 
-/// Returns the largest error over the mapped frames and the goals in reach [m].
+/// Calls visit(error [m], in reach) for each fingertip goal of the mapped frames.
+template <class Visit>
+void visit_goals(const Plan& plan, const Visit& visit) {
+  const JointRows& errors = plan.mapped.tip_error;
+  for (Eigen::Index f = 0; f < errors.rows(); ++f)
+    for (Eigen::Index tip = 0; tip < errors.cols(); ++tip)
+      if (!std::isnan(errors(f, tip))) visit(errors(f, tip), plan.goals.reachable(f, tip) != 0);
+}
+
+/// Returns the largest error over the goals in reach [m].
 double mapped_tip_error_max(const RobotModel&, const Plan& plan) {
   double worst_m = kUnknown;
-  const JointRows& errors = plan.mapped.tip_error;
-  for (Eigen::Index f = 0; f < errors.rows(); ++f) {
-    for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
-      if (std::isnan(errors(f, tip))) continue;
-      if (plan.goals.reachable(f, tip)) worst_m = std::fmax(worst_m, errors(f, tip));
-    }
-  }
+  visit_goals(plan, [&](double error_m, bool reachable) {
+    if (reachable) worst_m = std::fmax(worst_m, error_m);
+  });
   return worst_m;
 }
 
 double share_out_of_reach(const RobotModel&, const Plan& plan) {
   double goals = 0, out = 0;
-  const JointRows& errors = plan.mapped.tip_error;
-  for (Eigen::Index f = 0; f < errors.rows(); ++f) {
-    for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
-      if (std::isnan(errors(f, tip))) continue;
-      goals += 1;
-      out += plan.goals.reachable(f, tip) ? 0 : 1;
-    }
-  }
+  visit_goals(plan, [&](double, bool reachable) {
+    goals += 1;
+    out += reachable ? 0 : 1;
+  });
   return goals > 0 ? out / goals : kUnknown;
 }
 
@@ -44,8 +45,7 @@ double largest_step(const RobotModel&, const Plan& plan) {
   double largest = 0;
   const JointRows& q = plan.mapped.position;
   for (Eigen::Index f = 1; f < q.rows(); ++f) {
-    const auto i = static_cast<std::size_t>(f);
-    const double step_s = plan.goals.time[i] - plan.goals.time[i - 1];
+    const double step_s = plan.goals.time[f] - plan.goals.time[f - 1];
     largest = std::max(largest, (q.row(f) - q.row(f - 1)).cwiseAbs().maxCoeff() * 0.01 / step_s);
   }
   return largest;
@@ -77,7 +77,8 @@ constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
      certificate_figure<&Certificate::upper_arm_error_mean>, true},
     {"palm_error", "palm", "deg", kDegreesPerRadian, 1, 1, planning::palm_error},
     {"clearance", "clearance", "mm", 1e3, 1, -1, certificate_figure<&Certificate::clearance>},
-    {"tempo", "duration ratio", "", 1, 2, 1, certificate_figure<&Certificate::duration_ratio>},
+    {"duration_ratio", "duration ratio", "", 1, 2, 1,
+     certificate_figure<&Certificate::duration_ratio>},
     {"duration", "duration", "s", 1, 2, 1, duration},
 }};
 
@@ -85,9 +86,15 @@ constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
 
 const std::array<PlanFigure, kPlanFigureCount>& plan_figures() { return kFigures; }
 
+int figure_index(std::string_view key) {
+  int k = 0;
+  while (k < kPlanFigureCount && kFigures[k].key != key) ++k;
+  return k;
+}
+
 FigureValues figures_of(const RobotModel& robot, const Plan& plan) {
   FigureValues values;
-  for (std::size_t k = 0; k < kPlanFigureCount; ++k) values[k] = kFigures[k].compute(robot, plan);
+  for (int k = 0; k < kPlanFigureCount; ++k) values[k] = kFigures[k].compute(robot, plan);
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/motion/arm_estimate.hpp"
+#include "core/motion/finding_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/scene_remarks.hpp"
 #include "pipeline/commands/text_table.hpp"
@@ -36,48 +37,27 @@ double mean_mm(const JointRows& errors) {
 std::string reach_line(const Plan& plan) {
   const JointRows& nearest = plan.mapped.least_attainable_error;
   if (std::isnan(mean_mm(nearest))) return "";
-  const JointRows there = nearest.array().isNaN().select(kUnknown, plan.mapped.tip_error);
+  const JointRows unreachable = nearest.array().isNaN().select(kUnknown, plan.mapped.tip_error);
   return fmt::format(
       "goals out of reach: mean tip error {} mm, smallest possible {} mm; mean over all goals {} "
       "mm",
-      in_mm(mean_mm(there)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.tip_error)));
-}
-
-std::string finding_sentence(const Finding& finding) {
-  const std::string mm = fmt::format("{:.1f} mm", 1e3 * finding.excess);
-  const std::string degrees = fmt::format("{:.2f} deg", finding.excess / kRadPerDegree);
-  switch (finding.cause) {
-    case Cause::jump:
-      return fmt::format("{} jumps by {} more than allowed", finding.subject, degrees);
-    case Cause::joint_limit:
-      return fmt::format("{} is {} beyond its limit", finding.subject, degrees);
-    case Cause::tracking:
-      return fmt::format("{} is {} beyond its tolerance", finding.subject, mm);
-    case Cause::object_collision:
-    case Cause::self_collision:
-    case Cause::table:
-      break;
-  }
-  return fmt::format("{} is {} too close to {}", finding.subject, mm, finding.other_body);
-}
-
-std::string finding_line(const Finding& finding) {
-  return fmt::format("found: {}, {:.2f}-{:.2f} s ({})", finding_sentence(finding), finding.begin_s,
-                     finding.end_s, name_of(finding.cause));
+      in_mm(mean_mm(unreachable)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.tip_error)));
 }
 
 std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
   std::vector<std::string> lines;
   if (!plan.has_trajectory()) {
-    const bool said = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
-    lines.push_back(said ? plan.detail : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
+    const bool has_reason = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
+    lines.push_back(has_reason ? plan.detail
+                               : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
     for (const explain::Advice& advice : explain::advice_for(robot, plan))
       lines.push_back("try: " + explain::text_of(advice));
   } else if (!plan.detail.empty()) {
     lines.push_back("note: " + plan.detail);
   }
   if (const std::string reach = reach_line(plan); !reach.empty()) lines.push_back(reach);
-  for (const Finding& finding : plan.findings) lines.push_back(finding_line(finding));
+  for (const Finding& finding : plan.findings)
+    lines.push_back(fmt::format("found: {} ({})", sentence(finding), name_of(finding.cause)));
   return lines;
 }
 
@@ -97,16 +77,10 @@ Pose pose_of(const json& value) {
   return pose;
 }
 
-std::size_t figure_index(const std::string& key) {
-  const auto& figures = plan_figures();
-  return std::ranges::find(figures, key, &PlanFigure::key) - figures.begin();
-}
-
-/// A column of the table for a figure, with its head and its priority of being dropped on a narrow
-/// terminal.
+/// A figure's column of the table: the fields are those of TextTable::Column.
 struct FigureColumn {
-  const char *key, *top, *below;
-  int spare;
+  const char *key, *top, *subhead;
+  int drop_priority;
 };
 constexpr std::array<FigureColumn, 10> kColumns{{{"mapped_tip_error", "mapped", "tips mm", 9},
                                                  {"unreachable_share", "out of", "reach %", 3},
@@ -117,14 +91,14 @@ constexpr std::array<FigureColumn, 10> kColumns{{{"mapped_tip_error", "mapped", 
                                                  {"upper_arm_error", "upper arm", "mean deg", 6},
                                                  {"palm_error", "palm", "mean deg", 7},
                                                  {"clearance", "clearance", "mm", 8},
-                                                 {"tempo", "duration", "ratio", 2}}};
+                                                 {"duration_ratio", "duration", "ratio", 2}}};
 
 }  // namespace
 
 PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
   PlanRow row;
   row.name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
-  row.status = plan.executable() && plan.certificate.repaired ? "repaired" : name_of(plan.status());
+  row.status = plan.executable() && plan.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
   row.arm_estimated = is_arm_estimated(plan.goals);
@@ -157,7 +131,7 @@ PlanRow row_from_json(const std::string& text) {
     row_json.at("name").get_to(row.name);
     row_json.at("status").get_to(row.status);
     row_json.at("reason").get_to(row.reason);
-    for (std::size_t k = 0; k < kPlanFigureCount; ++k)
+    for (int k = 0; k < kPlanFigureCount; ++k)
       row.figures[k] = number_of(row_json.at("figures").at(k));
     row_json.at("arm_estimated").get_to(row.arm_estimated);
     row_json.at("lines").get_to(row.lines);
@@ -197,26 +171,24 @@ void sort_rows(const RowSelection& choice, std::vector<PlanRow>& rows) {
     std::ranges::stable_sort(rows, {}, &PlanRow::name);
     return;
   }
-  const std::size_t k = figure_index(choice.sort_key);
-  const auto badness = [&](const PlanRow& row) {
+  const int k = figure_index(choice.sort_key);
+  std::ranges::stable_sort(rows, std::ranges::greater{}, [&](const PlanRow& row) {
     return std::isnan(row.figures[k]) ? -kInfinity : plan_figures()[k].worse_sign * row.figures[k];
-  };
-  std::ranges::stable_sort(rows, std::ranges::greater{}, badness);
+  });
 }
 
 std::string plan_table(const std::vector<PlanRow>& rows, std::size_t width) {
   TextTable table;
   table.columns = {{"plan", "", true, 0}, {"status", "", true, 0}};
   for (const FigureColumn& column : kColumns)
-    table.columns.push_back({column.top, column.below, false, column.spare});
+    table.columns.push_back({column.top, column.subhead, false, column.drop_priority});
   for (const PlanRow& row : rows) {
-    TextTable::Row& out = table.rows.emplace_back();
-    out.cells = {row.name, row.status};
+    TextTable::Row& printed =
+        table.rows.emplace_back(TextTable::Row{{row.name, row.status}, row.lines});
     for (const FigureColumn& column : kColumns) {
-      const std::size_t k = figure_index(column.key);
-      out.cells.push_back(format_figure(plan_figures()[k], row.figures[k], row.arm_estimated));
+      const int k = figure_index(column.key);
+      printed.cells.push_back(format_figure(plan_figures()[k], row.figures[k], row.arm_estimated));
     }
-    out.lines = row.lines;
   }
   return table_text(table, width);
 }

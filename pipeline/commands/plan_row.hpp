@@ -11,22 +11,14 @@ namespace morphe::commands {
 
 /// The data of a plan shown in tables.
 struct PlanRow {
-  /// Name "<demonstration>/<000>".
-  std::string name;
-  /// Status: executable, repaired (and executable), approximate or infeasible.
-  std::string status;
-  /// Code of the reason, "" unless infeasible.
-  std::string reason;
-  /// The values of the figures.
+  std::string name;    ///< "<demonstration>/<000>"
+  std::string status;  ///< executable, repaired (and executable), approximate or infeasible
+  std::string reason;  ///< code, "" unless infeasible
   FigureValues figures{};
-  /// True if shoulder or elbow were not recorded.
-  bool arm_estimated = false;
-  /// Reason for an infeasible plan, advice, notes, findings.
-  std::vector<std::string> lines;
-  /// Frames of the scene.
+  bool arm_estimated = false;      ///< true if shoulder or elbow were not recorded
+  std::vector<std::string> lines;  ///< reason for an infeasible plan, advice, notes, findings
   WorldFrames world;
-  /// Result of scene_remarks().
-  std::map<std::string, std::string> remarks;
+  std::map<std::string, std::string> remarks;  ///< scene_remarks()
 
   /// Returns true for executable plans, including repaired ones.
   bool executable() const { return status == name_of(Status::executable) || status == "repaired"; }
@@ -34,10 +26,9 @@ struct PlanRow {
 /// Computes the row of a plan.
 PlanRow row_of(const robot::Robot& robot, const Plan& plan);
 
-/// Converts a row to one line of JSON, as the journal of a run stores it. Reading it back gives an
-/// identical row.
+/// Converts a row to one line of JSON, as the journal of a run stores it.
 std::string row_to_json(const PlanRow& row);
-/// Converts the JSON back to a row.
+/// Converts the JSON back to an identical row.
 PlanRow row_from_json(const std::string& text);
 
 /// The selection and the order of the rows shown.
@@ -48,8 +39,7 @@ struct RowSelection {
 
 /// Throws InputError with the list of valid keys if the key is invalid.
 void check_selection(const RowSelection& choice);
-/// Returns true if a row satisfies all filters. The status executable includes repaired plans; a
-/// pattern (* and ?) may omit the movement.
+/// Returns true if a row satisfies all filters; "executable" includes repaired plans.
 bool is_selected(const RowSelection& choice, const PlanRow& row);
 /// Sorts the rows. Rows without the figure come last.
 void sort_rows(const RowSelection& choice, std::vector<PlanRow>& rows);

@@ -18,9 +18,8 @@ std::vector<fs::path> find_plans(const fs::path& named) {
   if (!fs::is_directory(named)) return {named};
   if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(named)) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(named))
     if (fs::exists(entry.path() / "plans.h5")) found.push_back(entry.path() / "plans.h5");
-  }
   std::ranges::sort(found);
   if (found.empty()) throw InputError(fmt::format("{}: contains no plans.h5", named.string()));
   return found;

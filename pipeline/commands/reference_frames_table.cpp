@@ -2,16 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "core/motion/count_with_noun.hpp"
 #include "pipeline/commands/text_table.hpp"
 
 namespace morphe::commands {
 namespace {
 
-/// A point of one plan in the three frames.
+/// A point of one plan in the frames of base, table and recording.
 using PointInFrames = std::array<Vec3, 3>;
 
 PointInFrames point_in_frames(const WorldFrames& world, const Vec3& in_base) {
@@ -19,7 +19,7 @@ PointInFrames point_in_frames(const WorldFrames& world, const Vec3& in_base) {
           world.base_from_world.inverse() * in_base};
 }
 
-Vec3 median_point(const std::vector<PointInFrames>& points, std::size_t frame) {
+Vec3 median_point(const std::vector<PointInFrames>& points, int frame) {
   Vec3 median;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> values;
@@ -38,7 +38,7 @@ TextTable::Row row_of_points(const std::string& name, const std::vector<PointInF
   TextTable::Row row;
   row.cells = {name};
   double spread_m = kUnknown;
-  for (std::size_t frame = 0; frame < 3; ++frame) {
+  for (int frame = 0; frame < 3; ++frame) {
     const Vec3 median = median_point(points, frame);
     for (const double value : median) row.cells.push_back(rounded_mm_text(value));
     for (const PointInFrames& point : points)
@@ -54,8 +54,8 @@ std::string axis_text(const Vec3& axis) {
   return fmt::format("({:.2f}, {:.2f}, {:.2f})", rounded.x(), rounded.y(), rounded.z());
 }
 
-/// Returns, for each object, the first remark and the number of plans with a remark, because
-/// heights differ between plans.
+/// Returns for each object the remark of the first plan that has one, and the number of such plans.
+/// The remarks of one object differ only in its height.
 std::string remarks_text(const std::vector<PlanRow>& rows, std::size_t width) {
   std::map<std::string, std::pair<std::string, int>> by_object;
   for (const PlanRow& row : rows)
@@ -66,8 +66,8 @@ std::string remarks_text(const std::vector<PlanRow>& rows, std::size_t width) {
   std::string text;
   for (const auto& entry : by_object) {
     const auto& [sentence, count] = entry.second;
-    text += wrap_line(fmt::format("note: {} (in {} of {} movement{})", sentence, count, rows.size(),
-                                  rows.size() == 1 ? "" : "s"),
+    text += wrap_line(fmt::format("note: {} (in {} of {})", sentence, count,
+                                  count_with_noun(rows.size(), "movement")),
                       width, "");
   }
   return text;
@@ -108,12 +108,10 @@ std::string reference_frames_text(const std::string& robot, const std::vector<Pl
   if (!table.empty()) text.rows.push_back(row_of_points("centre of the table top", table));
   if (!target.empty()) text.rows.push_back(row_of_points("centre of the target", target));
   const Eigen::Matrix3d axes = first->world.base_from_world.linear().transpose();
-  return table_text(text, width) +
-         wrap_line(
-             fmt::format(
-                 "{}: base axes in the person's frame (right, forward, up): x {}, y {}, z {}",
-                 robot, axis_text(axes.col(0)), axis_text(axes.col(1)), axis_text(axes.col(2))),
-             width, "") +
+  const std::string axes_text =
+      fmt::format(": base axes in the person's frame (right, forward, up): x {}, y {}, z {}",
+                  axis_text(axes.col(0)), axis_text(axes.col(1)), axis_text(axes.col(2)));
+  return table_text(text, width) + wrap_line(robot + axes_text, width, "") +
          remarks_text(rows, width);
 }
 

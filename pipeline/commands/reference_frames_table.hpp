@@ -7,10 +7,10 @@
 
 namespace morphe::commands {
 
-/// Returns a table of the positions of base, shoulder, table and target at the beginning of a
-/// movement, each in the frames of base, table and recording [mm]: medians over the plans, and the
-/// distance of the farthest plan from them. The axes of the base and the results of scene_remarks()
-/// follow. Returns "" if the robot was not placed beside a person.
+/// Returns a table of the positions of base, shoulder, table and target at the begin of a movement,
+/// each in the frames of base, table and recording [mm]. The positions are medians over the plans;
+/// the last column is the largest distance of a plan's position from them. Below it are the axes of
+/// the base in the first plan, and the scene_remarks(). Returns "" if no plan has a shoulder.
 std::string reference_frames_text(const std::string& robot, const std::vector<PlanRow>& rows,
                                   std::size_t width);
 

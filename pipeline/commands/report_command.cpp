@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <memory>
 #include <set>
-#include <thread>
 
 #include "core/files/atomic_file.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/report/report.hpp"
 #include "pipeline/run/output_folder.hpp"
 
@@ -45,7 +45,7 @@ std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& 
   return runs;
 }
 
-void read_worst(const std::vector<std::string>& worst, report::Selection& selection) {
+void parse_worst_option(const std::vector<std::string>& worst, report::Selection& selection) {
   if (worst.empty()) return;
   const std::vector<std::string> names = report::ranking_measure_names();
   try {
@@ -69,8 +69,8 @@ int execute(ReportArguments& arguments) {
   report::ReportRequest& request = arguments.request;
   request.runs = runs_of(arguments.files);
   for (const auto& run : request.runs) files::expect_not_input(arguments.out, run.plans);
-  request.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  read_worst(arguments.worst, request.selection);
+  request.jobs = threads_of(0);
+  parse_worst_option(arguments.worst, request.selection);
   if (!arguments.out.empty()) {
     const report::ReportSummary summary = report::write_report(request, arguments.out);
     for (const std::string& note : summary.notes) fmt::print("{}\n", note);
@@ -86,9 +86,7 @@ int execute(ReportArguments& arguments) {
   return 0;
 }
 
-}  // namespace
-
-Command report_command(CLI::App& app) {
+CommandAction add_report_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<ReportArguments>();
   app.add_option("FILE", arguments->files,
                  "plans.h5 or folders of runs; several are compared side by side")
@@ -111,6 +109,16 @@ Command report_command(CLI::App& app) {
       ->type_name("DIR")
       ->allow_extra_args(false);
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command report_command() {
+  return {"report", "Write a page that plays every plan of a plans.h5 in a browser",
+          "  morphe report outputs/first --out outputs/first.html\n"
+          "  morphe report outputs/first outputs/again --out outputs/both.html --svg "
+          "outputs/pictures\n",
+          add_report_arguments};
 }
 
 }  // namespace morphe::commands

@@ -7,9 +7,8 @@
 #include "core/motion/input_error.hpp"
 #include "core/robot/files/write_urdf.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/input_file.hpp"
 #include "pipeline/commands/robot_setup.hpp"
-#include "pipeline/commands/text_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/describe/robot_svg.hpp"
 #include "pipeline/describe/robot_text.hpp"
 #include "pipeline/describe/self_collision.hpp"
@@ -18,15 +17,17 @@ namespace morphe::commands {
 
 namespace fs = std::filesystem;
 
-Command robot_command(CLI::App& app) {
+namespace {
+
+CommandAction add_robot_arguments(CLI::App& app) {
   struct Arguments {
     std::string file, svg, urdf;
     bool json = false;
     int samples = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("FILE", arguments->file, "Robot description or URDF")->transform(input_file());
-  const Command setup = add_robot_setup(app);
+  add_input_option(app, "FILE", arguments->file, "Robot description or URDF");
+  const CommandAction setup = add_robot_setup(app);
   app.add_option("--svg", arguments->svg, "SVG file for a drawing (front and side view)");
   app.add_option("--urdf", arguments->urdf, "URDF file to write the robot to");
   app.add_option("--self-collision", arguments->samples,
@@ -40,11 +41,12 @@ Command robot_command(CLI::App& app) {
     for (const std::string& out : {arguments->svg, arguments->urdf})
       files::expect_not_input(out, arguments->file);
     const robot::RobotDescription robot = read_robot(arguments->file);
-    if (!arguments->svg.empty()) write_text(arguments->svg, describe::robot_svg(robot.table));
+    if (!arguments->svg.empty())
+      files::write_atomically(arguments->svg, describe::robot_svg(robot.table));
     std::vector<std::string> unknown;
     if (!arguments->urdf.empty()) {
       robot::WrittenUrdf urdf = robot::urdf_of(robot, fs::path(arguments->urdf).parent_path());
-      write_text(arguments->urdf, urdf.text);
+      files::write_atomically(arguments->urdf, urdf.text);
       unknown = std::move(urdf.unknown);
     }
     if (arguments->samples > 0) {
@@ -56,11 +58,19 @@ Command robot_command(CLI::App& app) {
     }
     fmt::print("{}",
                arguments->json ? describe::robot_json(robot) + "\n" : describe::robot_text(robot));
-    for (const std::string& sentence : unknown) {
+    for (const std::string& sentence : unknown)
       if (!arguments->json) fmt::print("{}: {}\n", arguments->urdf, sentence);
-    }
     return 0;
   };
+}
+
+}  // namespace
+
+Command robot_command() {
+  return {"robot", "Check, print and draw a robot description",
+          "  morphe robot configs/robots/pa10_dlr_hit2.yaml --svg outputs/robot.svg --urdf "
+          "outputs/robot.urdf\n",
+          add_robot_arguments};
 }
 
 }  // namespace morphe::commands

@@ -4,14 +4,13 @@
 
 #include <CLI/CLI.hpp>
 #include <fstream>
+#include <iterator>
 #include <memory>
-#include <sstream>
 
 #include "core/files/atomic_file.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
-#include "pipeline/commands/input_file.hpp"
-#include "pipeline/commands/text_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/describe/robot_svg.hpp"
 #include "pipeline/describe/robot_text.hpp"
 #include "pipeline/setup/setup.hpp"
@@ -35,29 +34,27 @@ bool is_urdf(const fs::path& file) {
 std::optional<std::string> text_of(const fs::path& file) {
   if (!fs::exists(file)) return std::nullopt;
   std::ifstream stream(file, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
+  return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
-setup::PackagePaths places_of(const std::vector<std::string>& packages) {
-  setup::PackagePaths places;
+setup::PackagePaths package_paths_of(const std::vector<std::string>& packages) {
+  setup::PackagePaths paths;
   for (const std::string& package : packages) {
     const std::size_t equals = package.find('=');
     if (equals == std::string::npos || equals == 0)
       throw InputError(fmt::format("--package {}: must be NAME=DIR", package));
-    places.packages[package.substr(0, equals)] = package.substr(equals + 1);
+    paths.packages[package.substr(0, equals)] = package.substr(equals + 1);
   }
-  return places;
+  return paths;
 }
 
 /// Writes a description and its picture, and prints the properties to be checked.
 void write_description(const setup::SetupResult& result, const fs::path& out) {
-  write_text(out, result.text);
+  files::write_atomically(out, result.text);
   const robot::RobotDescription robot = robot::load_robot(out);
   fs::path picture = out;
   picture.replace_extension(".svg");
-  write_text(picture, describe::robot_svg(robot.table, result.points));
+  files::write_atomically(picture, describe::robot_svg(robot.table, result.points));
   for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
   for (const std::string& remark : describe::plausibility_notes(robot))
     fmt::print("note: {}\n", remark);
@@ -73,7 +70,7 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
   request.urdf = urdf;
   request.out = out;
   request.hand = arguments.hand;
-  request.package_paths = places_of(arguments.packages);
+  request.package_paths = package_paths_of(arguments.packages);
   if (arguments.capsules > 0) {
     setup::CapsuleBudget& budget = request.budget;
     budget.arm = budget.wrist = budget.palm = budget.finger = arguments.capsules;
@@ -111,14 +108,14 @@ int execute(const SetupArguments& arguments) {
 
 }  // namespace
 
-Command add_robot_setup(CLI::App& robot) {
+CommandAction add_robot_setup(CLI::App& robot) {
   CLI::App& app = *robot.add_subcommand(
       "setup", "Create a robot description from a URDF, or from those of an arm and a hand");
+  app.footer("Examples:\n  morphe robot setup outputs/robot.urdf --out outputs/new_robot.yaml\n");
   const auto arguments = std::make_shared<SetupArguments>();
-  app.add_option("URDF", arguments->inputs,
-                 "URDF of an arm, a hand, or both in this order (robot descriptions work, too)")
-      ->required()
-      ->transform(input_file());
+  add_input_option(app, "URDF", arguments->inputs,
+                   "URDF of an arm, a hand, or both in this order (robot descriptions work, too)")
+      ->required();
   app.add_option("--out", arguments->out,
                  "Description to write (YAML); a drawing (SVG) is written next to it")
       ->required();

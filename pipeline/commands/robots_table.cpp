@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/motion/arm_estimate.hpp"
@@ -20,12 +19,10 @@ std::string format_decimal(double value, int digits) {
 
 std::string median(const std::vector<FigureValues>& all, std::string_view key,
                    bool arm_estimated = false) {
-  const auto& figures = plan_figures();
-  const auto k =
-      static_cast<std::size_t>(std::ranges::find(figures, key, &PlanFigure::key) - figures.begin());
+  const int k = figure_index(key);
   std::vector<double> values;
-  for (const FigureValues& one : all) values.push_back(one[k]);
-  return format_figure(figures[k], median_of(values), arm_estimated);
+  for (const FigureValues& figures : all) values.push_back(figures[k]);
+  return format_figure(plan_figures()[k], median_of(values), arm_estimated);
 }
 
 TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans) {
@@ -41,7 +38,7 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
     goals.out_of_reach += count.out_of_reach;
     if (!plan.has_trajectory()) continue;
     executable += plan.executable() ? 1 : 0;
-    repaired += plan.certificate.repaired ? 1 : 0;
+    repaired += plan.repaired ? 1 : 0;
     tips_m += plan.certificate.tip_error_mean;
     tips_max_m = std::fmax(tips_max_m, plan.certificate.tip_error_max);
     moving.push_back(figures_of(plans.robot(), plan));
@@ -53,7 +50,7 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
            format_decimal(1e3 * tips_m / static_cast<double>(moving.size()), 2),
            format_decimal(1e3 * tips_max_m, 2), median(moving, "humanlikeness", estimate),
            median(moving, "upper_arm_error", estimate), median(moving, "palm_error"),
-           median(moving, "tempo")},
+           median(moving, "duration_ratio")},
           {}};
 }
 

@@ -7,11 +7,10 @@
 
 namespace morphe::commands {
 
-/// Returns a table with one row for each robot of a run, given by name and plans.h5, over all its
-/// plans:
-///   out of reach  share of the fingertip goals
-///   tips          over plans with a trajectory: the mean of their means and the largest of all
-///   humanlikeness A, upper arm, palm, tempo  medians over these plans
+/// Returns a table with a row for each robot of a run, given by name and plans.h5. Its columns are
+///   out of reach  share of the fingertip goals of all plans
+///   tips          mean of the mean errors, and largest error, over plans with a trajectory
+///   others        medians over plans with a trajectory
 std::string robots_table(const std::vector<std::pair<std::string, std::filesystem::path>>& robots,
                          std::size_t width);
 

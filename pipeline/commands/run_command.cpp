@@ -7,20 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/collision/continuous_check.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/version.hpp"
 #include "pipeline/commands/assumptions.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/import_options.hpp"
 #include "pipeline/commands/import_summary.hpp"
-#include "pipeline/commands/input_file.hpp"
-#include "pipeline/commands/jobs_option.hpp"
-#include "pipeline/commands/plan_table_footer.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
 #include "pipeline/commands/robots_table.hpp"
-#include "pipeline/commands/row_options.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/run_config.hpp"
@@ -47,12 +42,12 @@ struct RunArguments {
 /// The offset that a shell adds to the number of the signal that ended a program.
 constexpr int kSignalExitOffset = 128;
 
-run::Verbosity detail_of(const RunArguments& arguments) {
+run::Verbosity verbosity_of(const RunArguments& arguments) {
   if (arguments.verbose) return run::Verbosity::verbose;
   return arguments.json || arguments.quiet ? run::Verbosity::quiet : run::Verbosity::normal;
 }
 
-/// Returns the dataset of a run. With several robots, all configs name the same one.
+/// Returns the dataset of a run, which is the same for all robots.
 std::vector<fs::path> dataset_of(const RunArguments& arguments,
                                  const planning::LoadedConfig& config) {
   if (!arguments.datasets.empty()) return {arguments.datasets.begin(), arguments.datasets.end()};
@@ -62,8 +57,7 @@ std::vector<fs::path> dataset_of(const RunArguments& arguments,
       fmt::format("{}: dataset: is missing (give it here, or --dataset)", arguments.config));
 }
 
-/// The run of one robot. A config without `robots` has one, with the folder of the results as its
-/// folder.
+/// The run of one robot. For a config without `robots`, the name is "" and the folder is --out.
 struct RobotRun {
   std::string name;
   planning::RunConfig config;
@@ -79,14 +73,11 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   if (!arguments.from.empty()) {
     runs.push_back({"", planning::stored_config(arguments.from), nullptr, {}});
   } else {
-    for (planning::RobotConfig& robot :
-         planning::load_robots(arguments.config, arguments.settings)) {
+    for (planning::RobotConfig& robot : planning::load_robots(arguments.config, arguments.settings))
       runs.push_back({robot.name, planning::run_config(std::move(robot.loaded)), nullptr, {}});
-    }
   }
-  for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded)) {
+  for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded))
     if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
-  }
   for (RobotRun& one : runs) {
     const fs::path folder =
         one.name.empty() ? fs::path(arguments.out) : arguments.out / fs::path(one.name);
@@ -95,16 +86,15 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   return runs;
 }
 
-/// Returns true if the dataset is given by manifests only.
 bool are_all_manifests(const std::vector<fs::path>& named) {
   return std::ranges::all_of(named, [](const fs::path& path) {
     return !fs::is_directory(path) && (path.extension() == ".yaml" || path.extension() == ".yml");
   });
 }
 
-/// The demonstrations.h5 of a run. Recordings are imported into the run's folder, so that the plans
-/// refer to a file beside them. It takes its final name together with the plans, and a manifest of
-/// the recordings is written.
+/// The demonstrations.h5 of a run: the given one, or a file in the run's folder with the imported
+/// recordings. This file has a temporary name until the plans are complete, and is removed if they
+/// do not get so far. Then publish() gives it its name and writes a manifest of the recordings.
 class Dataset {
  public:
   Dataset(imports::ImportRequest request, const fs::path& folder)
@@ -119,7 +109,7 @@ class Dataset {
     }
     writes_manifest_ = !are_all_manifests(request.paths);
     if (writes_manifest_) manifest_.expect_replaceable();
-    published_ = folder / "demonstrations.h5";
+    final_file_ = folder / "demonstrations.h5";
     file_ = folder / "demonstrations.h5.new";
     request.results_folder = folder;
     Assumptions assumptions;
@@ -130,30 +120,30 @@ class Dataset {
   }
   ~Dataset() {
     std::error_code ignored;
-    if (!published_.empty()) fs::remove(file_, ignored);
+    if (!final_file_.empty()) fs::remove(file_, ignored);
   }
   Dataset(const Dataset&) = delete;
   Dataset& operator=(const Dataset&) = delete;
   const fs::path& file() const { return file_; }
-  const std::string& key() const { return key_; }  ///< identifies the dataset by its paths
+  const std::string& key() const { return key_; }  ///< the paths, by which a run knows it
   int failed() const { return count_failed(imported_); }
   void publish() {
-    if (published_.empty()) return;
-    fs::rename(file_, published_);
-    file_ = std::exchange(published_, {});
+    if (final_file_.empty()) return;
+    fs::rename(file_, final_file_);
+    file_ = std::exchange(final_file_, {});
     if (writes_manifest_) manifest_.write(imported_);
   }
 
  private:
-  fs::path file_, published_;
+  fs::path file_, final_file_;
   std::string key_;
   GeneratedManifest manifest_;
   bool writes_manifest_ = false;
   imports::ImportResult imported_;
 };
 
-/// Prints the summary only in quiet mode; otherwise also the rows (for a large run, only if they
-/// are filtered or sorted) and the positions of the reference frames.
+/// Prints the summary and, unless --quiet is given, the plans (of more than kMaxPrintedRows only
+/// filtered or sorted ones), the positions of the reference frames, and remarks.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
   constexpr int kMaxPrintedRows = 1000;
@@ -175,9 +165,13 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
     if (!choice.filters.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
   }
-  const std::string speed = run::speed_text(one.summary);
-  fmt::print("{}\n{}{}{}: {}\n", plan_table_footer(robot, one.summary), speed,
-             speed.empty() ? "" : "\n", one.plans().string(), run::summary_sentence(one.summary));
+  fmt::print("{}: {} of {} fingertip goals are out of reach with this placement\n", robot.name,
+             one.summary.out_of_reach, one.summary.goals);
+  if (const std::string unchecked = unchecked_sentence(robot.unchecked_links); !unchecked.empty())
+    fmt::print("{}: {}\n", robot.name, unchecked);
+  if (const std::string speed = run::speed_text(one.summary); !speed.empty())
+    fmt::print("{}\n", speed);
+  fmt::print("{}: {}\n", one.plans().string(), run::summary_sentence(one.summary));
 }
 
 int report_stop(const RobotRun& one, int signal) {
@@ -190,7 +184,7 @@ int report_stop(const RobotRun& one, int signal) {
   return kSignalExitOffset + signal;
 }
 
-/// Plans all demonstrations for one robot. Returns the signal that stopped the run, or 0.
+/// Plans all demonstrations for one robot and sets its summary. Returns the stopping signal, or 0.
 int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& dataset,
              RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
@@ -214,7 +208,7 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& da
   };
   request.rows = [&](const Plan& plan) { return row_to_json(row_of(robot, plan)); };
   request.publish = [&] { dataset.publish(); };
-  run::Progress progress(detail_of(arguments));
+  run::Progress progress(verbosity_of(arguments));
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);
   one.folder->keep();
   one.summary = result.summary;
@@ -287,20 +281,18 @@ int execute(const RunArguments& arguments) {
   return arguments.strict && !all_executable ? 1 : 0;
 }
 
-}  // namespace
-
-Command run_command(CLI::App& app) {
+CommandAction add_run_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<RunArguments>();
-  app.add_option("CONFIG", arguments->config, "Pipeline config (YAML)")->transform(input_file());
+  add_input_option(app, "CONFIG", arguments->config, "Pipeline config (YAML)");
   app.add_option("--from", arguments->from, "plans.h5 whose config, robot and scene are used");
   app.add_option("--out", arguments->out,
                  "Folder for plans.h5; an unfinished run in it is continued")
       ->required();
-  app.add_option("--dataset", arguments->datasets,
-                 "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
-                 "the config's; may be repeated")
-      ->allow_extra_args(false)
-      ->transform(input_file());
+  add_input_option(
+      app, "--dataset", arguments->datasets,
+      "Folder of recordings, recording, manifest or demonstrations.h5 to use instead of "
+      "the config's; may be repeated")
+      ->allow_extra_args(false);
   add_import_options(app, arguments->recordings);
   add_jobs_option(app, arguments->jobs);
   app.add_option("--set", arguments->settings,
@@ -323,6 +315,16 @@ Command run_command(CLI::App& app) {
   app.add_flag("--strict", arguments->strict, "Exit 1 unless every movement is executable");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command run_command() {
+  return {"run", "Plan recorded demonstrations: write DIR/plans.h5",
+          "  morphe run configs/pipelines/pa10_dlr_hit2.yaml --out outputs/first --report\n"
+          "  morphe run --from outputs/first/plans.h5 --dataset outputs/first/demonstrations.h5 "
+          "--out outputs/again\n",
+          add_run_arguments};
 }
 
 }  // namespace morphe::commands

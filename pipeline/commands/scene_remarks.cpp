@@ -1,9 +1,10 @@
 #include "pipeline/commands/scene_remarks.hpp"
-#include "core/motion/bounding_box.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+
+#include "core/motion/bounding_box.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -30,23 +31,20 @@ std::map<std::string, std::string> scene_remarks(const Plan& plan) {
     if (&object == table || object.name == plan.movement.target || object.time.size() > 1) continue;
     const Eigen::AlignedBox3d box = extent(object);
     if (!overlaps_horizontally(box, top)) continue;
-    const double low = box.min().z();
+    const double bottom_z = box.min().z();
     const bool held_up = std::ranges::any_of(plan.scene.objects, [&](const SceneObject& other) {
-      const Eigen::AlignedBox3d below = extent(other);
-      return &other != &object && &other != table && overlaps_horizontally(box, below) &&
-             below.min().z() < low && below.max().z() > low - kMaxFloatingHeight_m;
+      const Eigen::AlignedBox3d support = extent(other);
+      return &other != &object && &other != table && overlaps_horizontally(box, support) &&
+             support.min().z() < bottom_z && support.max().z() > bottom_z - kMaxFloatingHeight_m;
     });
-    if (low > kMaxFloatingHeight_m && !held_up) {
-      remarks[object.name] = fmt::format(
-          "{} is {:.0f} mm above the table without support; to place it on the table: relative_to: "
-          "table, anchor: bottom_centre, position [x, y, 0]",
-          object.name, 1e3 * low);
-    } else if (low < -kMaxSinkDepth_m && box.max().z() > kMaxSinkDepth_m) {
-      remarks[object.name] = fmt::format(
-          "{} is {:.0f} mm deep in the table; to place it on the table: relative_to: table, "
-          "anchor: bottom_centre, position [x, y, 0]",
-          object.name, -1e3 * low);
-    }
+    const bool floats = bottom_z > kMaxFloatingHeight_m && !held_up;
+    const bool sinks = bottom_z < -kMaxSinkDepth_m && box.max().z() > kMaxSinkDepth_m;
+    if (!floats && !sinks) continue;
+    remarks[object.name] = fmt::format(
+        "{} is {:.0f} mm {}; to place it on the table: relative_to: table, anchor: bottom_centre, "
+        "position [x, y, 0]",
+        object.name, 1e3 * std::abs(bottom_z),
+        floats ? "above the table without support" : "deep in the table");
   }
   return remarks;
 }

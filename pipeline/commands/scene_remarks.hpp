@@ -7,10 +7,9 @@
 
 namespace morphe::commands {
 
-/// Returns a sentence for each fixed body of a plan's scene, except table and target, that is above
-/// the table and either floats more than 20 mm above it without support, or penetrates it by more
-/// than 5 mm. In most cases its position was given in another frame than intended. The sentences
-/// are indexed by object.
+/// Returns remarks, by object, on fixed bodies of a plan's scene other than table and target. A
+/// body gets a remark if it floats more than 20 mm above the table without support, or penetrates
+/// the table by more than 5 mm: its position was probably given in another frame than intended.
 std::map<std::string, std::string> scene_remarks(const Plan& plan);
 
 }  // namespace morphe::commands

@@ -21,8 +21,7 @@ namespace morphe::commands {
 namespace {
 
 struct FileKind {
-  const char* name;
-  const char* title;
+  const char *name, *title;
   config::Schema (*schema)(const config::KeyDescriptions&);
 };
 
@@ -54,10 +53,10 @@ const FileKind& find_file_kind(const std::string& name) {
     if (name == kind.name) return kind;
     names.emplace_back(kind.name);
   }
-  const std::string meant = config::spelling_hint(name, names);
+  const std::string hint = config::spelling_hint(name, names);
   throw InputError(
       fmt::format("schema: unknown kind '{}'{}", name,
-                  meant.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : meant));
+                  hint.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : hint));
 }
 
 int write_all(const std::filesystem::path& folder) {
@@ -70,9 +69,7 @@ int write_all(const std::filesystem::path& folder) {
   return 0;
 }
 
-}  // namespace
-
-Command schema_command(CLI::App& app) {
+CommandAction add_schema_arguments(CLI::App& app) {
   struct Arguments {
     std::string kind, out;
   };
@@ -93,6 +90,15 @@ Command schema_command(CLI::App& app) {
     }
     return 0;
   };
+}
+
+}  // namespace
+
+Command schema_command() {
+  return {"schema", "Print the JSON schema of a kind of YAML file, for editors",
+          "  morphe schema config\n"
+          "  morphe schema robot --out outputs/robot.schema.json\n",
+          add_schema_arguments};
 }
 
 }  // namespace morphe::commands

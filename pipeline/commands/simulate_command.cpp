@@ -10,9 +10,9 @@
 #include "core/physics/model.hpp"
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/jobs_option.hpp"
 #include "pipeline/commands/plan_row.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/simulation_table.hpp"
 #include "pipeline/commands/text_table.hpp"
 #include "pipeline/run/output_folder.hpp"
@@ -25,10 +25,9 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SimulateArguments {
-  std::string plans, out, load_directions{name_of(simulate::Directions::first)},
-      integrator = "implicit";
+  std::string plans, out, servos, integrator = "implicit";
+  std::string load_directions{name_of(simulate::Directions::first)};
   std::string contacts{name_of(simulate::ContactSource::planned)};
-  std::string servos;
   std::vector<double> friction_range, mass_range;
   simulate::SimulateOptions options;
   RowSelection choice;
@@ -36,7 +35,6 @@ struct SimulateArguments {
   bool fresh = false, quiet = false, json = false;
 };
 
-/// A plan to be simulated.
 struct SimulationTask {
   Plan plan;
   std::string name, key;
@@ -50,10 +48,6 @@ struct SimulationOutput {
   fs::path file;
 };
 
-fs::path file_of(const fs::path& folder, const Plan& plan) {
-  return folder / fmt::format("{}_{:03}.json", plan.demonstration, plan.movement.index);
-}
-
 std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& arguments,
                                                const store::PlanReader& reader,
                                                run::OutputFolder& folder) {
@@ -65,34 +59,35 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
   parallel::OrderedParallelMap<SimulationTask, SimulationOutput> map;
   map.next = [&]() -> std::unique_ptr<SimulationTask> {
     while (next < reader.size()) {
-      auto one = std::make_unique<SimulationTask>();
-      one->name = reader.plan_paths()[next];
-      one->plan = reader.read(next++);
+      auto task = std::make_unique<SimulationTask>();
+      task->name = reader.plan_paths()[next];
+      task->plan = reader.read(next++);
       if (!arguments.choice.filters.empty() &&
-          !is_selected(arguments.choice, row_of(robot, one->plan)))
+          !is_selected(arguments.choice, row_of(robot, task->plan)))
         continue;
-      one->key = simulate::result_key(robot, one->plan, arguments.options, program);
-      one->file = file_of(folder.path(), one->plan);
-      if (!arguments.fresh) one->found = simulate::read_result(one->file, one->key);
-      return one;
+      task->key = simulate::result_key(robot, task->plan, arguments.options, program);
+      task->file = folder.path() / fmt::format("{}_{:03}.json", task->plan.demonstration,
+                                               task->plan.movement.index);
+      if (!arguments.fresh) task->found = simulate::read_result(task->file, task->key);
+      return task;
     }
     return nullptr;
   };
-  map.work = [&](const SimulationTask& one) {
-    auto done = std::make_unique<SimulationOutput>();
-    done->file = one.file;
-    if (one.found) {
-      done->result = *one.found;
+  map.work = [&](const SimulationTask& task) {
+    auto output = std::make_unique<SimulationOutput>();
+    output->file = task.file;
+    if (task.found) {
+      output->result = *task.found;
     } else {
-      done->result = simulate::simulate_plan(robot, one.plan, one.name, arguments.options);
-      done->text = simulate::result_json(done->result, arguments.options, one.key);
+      output->result = simulate::simulate_plan(robot, task.plan, task.name, arguments.options);
+      output->text = simulate::result_json(output->result, arguments.options, task.key);
     }
-    return done;
+    return output;
   };
-  map.write = [&](const SimulationOutput& done) {
-    if (!done.text.empty()) files::write_atomically(done.file, done.text);
+  map.write = [&](const SimulationOutput& output) {
+    if (!output.text.empty()) files::write_atomically(output.file, output.text);
     folder.keep();
-    results.push_back(done.result);
+    results.push_back(output.result);
     if (!arguments.quiet && status.on_terminal())
       status.show(fmt::format("simulate: {} of {} plans", next, reader.size()));
   };
@@ -106,19 +101,18 @@ std::optional<simulate::Range> range_of(const std::vector<double>& ends) {
 }
 
 int execute(SimulateArguments& arguments) {
-  if (physics::engine_version().empty()) {
+  if (physics::engine_version().empty())
     throw InputError(
         "simulate: this build has no MuJoCo: install libmujoco-dev, then configure and build "
         "again");
-  }
   arguments.options.load_directions =
       *enum_from_name<simulate::Directions>(arguments.load_directions);
   arguments.options.contacts = *enum_from_name<simulate::ContactSource>(arguments.contacts);
   arguments.options.friction_range = range_of(arguments.friction_range);
   arguments.options.mass_range = range_of(arguments.mass_range);
   arguments.options.euler = arguments.integrator == "euler";
-  if (const std::string wrong = validation_error(arguments.options); !wrong.empty())
-    throw InputError("simulate: --" + wrong);
+  if (const std::string error = validation_error(arguments.options); !error.empty())
+    throw InputError("simulate: --" + error);
   check_selection(arguments.choice);
   const store::PlanReader reader(find_plans_file(arguments.plans));
   if (!arguments.servos.empty())
@@ -134,9 +128,7 @@ int execute(SimulateArguments& arguments) {
   return 0;
 }
 
-}  // namespace
-
-Command simulate_command(CLI::App& app) {
+CommandAction add_simulate_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<SimulateArguments>();
   simulate::SimulateOptions& options = arguments->options;
   app.add_option("FILE", arguments->plans, "plans.h5 or the folder of a run")->required();
@@ -190,6 +182,14 @@ Command simulate_command(CLI::App& app) {
   app.add_flag("--quiet", arguments->quiet, "Show no progress");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command simulate_command() {
+  return {"simulate", "Simulate whether the grasps of a plans.h5 hold",
+          "  morphe simulate outputs/first --out outputs/physics --only ADL001DR2 --rollouts 2\n",
+          add_simulate_arguments};
 }
 
 }  // namespace morphe::commands

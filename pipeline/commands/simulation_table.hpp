@@ -7,8 +7,8 @@
 
 namespace morphe::commands {
 
-/// Returns a table with one row per plan: the number of its rollouts in which the grasp held, the
-/// largest or median figures, and the causes of the failures; then a summary and the assumptions.
+/// Returns a table with one row per plan: the number of its rollouts in which the target was held,
+/// figures over its rollouts, and the causes of failures; below it, the assumptions and a summary.
 std::string simulation_table(const std::vector<simulate::PlanResult>& results,
                              const simulate::SimulateOptions& options, std::size_t width);
 

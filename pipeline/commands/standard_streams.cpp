@@ -19,7 +19,6 @@ namespace {
 constexpr int kOutputErrorExitCode = 2;
 constexpr std::string_view kClearLine = "\r\033[K";  ///< as in pipeline/run/status_line.cpp
 
-/// The state of one of the two streams.
 struct GuardedStream {
   int descriptor;
   int error = 0;        ///< errno of the first write that failed
@@ -28,9 +27,9 @@ struct GuardedStream {
 
 void write_all(GuardedStream& stream, std::string_view bytes) {
   while (!bytes.empty() && stream.error == 0) {
-    const ssize_t put = ::write(stream.descriptor, bytes.data(), bytes.size());
-    if (put >= 0) {
-      bytes.remove_prefix(put);
+    const ssize_t written = ::write(stream.descriptor, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(written);
     } else if (errno != EINTR) {
       stream.error = errno;
     }
@@ -39,10 +38,10 @@ void write_all(GuardedStream& stream, std::string_view bytes) {
 
 std::string escape_controls(std::string_view text) {
   std::string out;
-  for (std::size_t at = 0; (at = text.find(kClearLine)) != std::string_view::npos;) {
-    out += files::make_printable(text.substr(0, at), "\n\t");
+  for (std::size_t begin = 0; (begin = text.find(kClearLine)) != std::string_view::npos;) {
+    out += files::make_printable(text.substr(0, begin), "\n\t");
     out += kClearLine;
-    text.remove_prefix(at + kClearLine.size());
+    text.remove_prefix(begin + kClearLine.size());
   }
   return out + files::make_printable(text, "\n\t");
 }
@@ -68,11 +67,10 @@ GuardedStream& err() {
   return stream;
 }
 
-/// Replaces a stream, which is possible because `stdout` and `stderr` are variables in the GNU C
-/// library.
-void replace(FILE*& stream, GuardedStream& by, int buffering) {
+/// Makes `stream`, a variable of the GNU C library for stdout or stderr, write to a guarded stream.
+void guard_stream(FILE*& stream, GuardedStream& target, int buffering) {
   const cookie_io_functions_t functions{nullptr, write_guarded, nullptr, nullptr};
-  FILE* const guarded = ::fopencookie(&by, "w", functions);
+  FILE* const guarded = ::fopencookie(&target, "w", functions);
   if (!guarded) return;
   std::setvbuf(guarded, nullptr, buffering, BUFSIZ);
   stream = guarded;
@@ -87,8 +85,8 @@ void guard_standard_streams() {
     if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return;
   }
   std::signal(SIGPIPE, SIG_IGN);
-  replace(stdout, out(), ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
-  replace(stderr, err(), _IONBF);
+  guard_stream(stdout, out(), ::isatty(STDOUT_FILENO) == 1 ? _IOLBF : _IOFBF);
+  guard_stream(stderr, err(), _IONBF);
 }
 
 int flush_standard_output(int code) {

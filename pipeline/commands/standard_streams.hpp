@@ -4,14 +4,12 @@ namespace morphe::commands {
 
 /// Redirects stdout and stderr such that their text is escaped by files::make_printable(), except
 /// for line ends, tabs and the control sequence that clears the status line. Writing never fails:
-/// text that stderr does not accept is lost, and errors of stdout are reported at the end.
-/// Descriptors 0 to 2 are opened, so that no file is given one of them. To be called once, before
-/// any output.
+/// text that stderr does not accept is lost; flush_standard_output() reports errors of stdout.
+/// Opens closed descriptors 0 to 2, so that no file gets one. To be called once, before any output.
 void guard_standard_streams();
 
-/// Flushes stdout and returns the exit code of a command that ended with `code`: 2, with a message,
-/// if stdout did not accept all of the text. There is no message if the reader closed the pipe, as
-/// `head` does.
+/// Flushes stdout. Returns the exit code of a command that ended with `code`: `code`, or 2 if
+/// stdout did not accept all of the text. Prints a message then, unless the reader closed the pipe.
 int flush_standard_output(int code);
 
 }  // namespace morphe::commands

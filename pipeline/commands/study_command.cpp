@@ -4,23 +4,21 @@
 #include <memory>
 
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/input_file.hpp"
-#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "pipeline/study/results.hpp"
 
 namespace morphe::commands {
+namespace {
 
-Command study_command(CLI::App& app) {
+CommandAction add_study_arguments(CLI::App& app) {
   struct Arguments {
     std::string config, out;
     bool quick = false, quiet = false;
     int jobs = 0;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("CONFIG", arguments->config, "Study (YAML, configs/studies)")
-      ->required()
-      ->transform(input_file());
+  add_input_option(app, "CONFIG", arguments->config, "Study (YAML, configs/studies)")->required();
   app.add_option("--out", arguments->out, "Folder for the results")->required();
   app.add_flag("--quick", arguments->quick, "Run the small version");
   app.add_flag("--quiet", arguments->quiet, "Print no progress");
@@ -41,6 +39,14 @@ Command study_command(CLI::App& app) {
     fmt::print("{}", study::results_table(result));
     return 0;
   };
+}
+
+}  // namespace
+
+Command study_command() {
+  return {"study", "Run a study: write its figures to DIR/results.json",
+          "  morphe study configs/studies/retime.yaml --out outputs/retime --quick\n",
+          add_study_arguments};
 }
 
 }  // namespace morphe::commands

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <set>
 
 #include "core/config/spelling_hint.hpp"
 
@@ -13,14 +13,14 @@ namespace {
 
 /// Returns the command that the words name, following them as far as possible.
 const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words) {
-  const CLI::App* at = &app;
+  const CLI::App* command = &app;
   for (const std::string& word : words) {
     const auto inner =
-        at->get_subcommands([&](const CLI::App* command) { return command->get_name() == word; });
+        command->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
     if (inner.empty()) break;
-    at = inner.front();
+    command = inner.front();
   }
-  return *at;
+  return *command;
 }
 
 bool takes_value(const CLI::App& app, const std::string& name) {
@@ -39,18 +39,16 @@ std::vector<std::string> command_names(const CLI::App& app) {
 
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::Option* const option : app.get_options()) {
+  for (const CLI::Option* const option : app.get_options())
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  }
   return names;
 }
 
 std::string unknown_command(const CLI::App& app, std::string_view word) {
   const std::vector<std::string> names = command_names(app);
-  const std::string meant = config::spelling_hint(word, names);
-  return fmt::format(
-      "unknown command '{}'{}", word,
-      meant.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : meant);
+  const std::string hint = config::spelling_hint(word, names);
+  return fmt::format("unknown command '{}'{}", word,
+                     hint.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : hint);
 }
 
 std::string unknown_options(const CLI::App& app) {
@@ -71,13 +69,14 @@ std::vector<std::string> completions(const CLI::App& app, const std::vector<std:
   const std::vector<std::string> before(words.begin(), words.end() - 1);
   const CLI::App& command = command_of(app, before);
   if (!before.empty() && takes_value(command, before.back())) return {};
-  std::vector<std::string> found =
-      words.back().starts_with('-') ? option_names(command) : command_names(command);
-  if (words.back().starts_with('-')) found.emplace_back("--help");
-  std::erase_if(found, [&](const std::string& word) { return !word.starts_with(words.back()); });
-  std::ranges::sort(found);
-  found.erase(std::ranges::unique(found).begin(), found.end());
-  return found;
+  const std::string& prefix = words.back();
+  std::set<std::string> names;
+  for (const std::string& name :
+       prefix.starts_with('-') ? option_names(command) : command_names(command))
+    if (name.starts_with(prefix)) names.insert(name);
+  if (prefix.starts_with('-') && std::string_view("--help").starts_with(prefix))
+    names.insert("--help");
+  return {names.begin(), names.end()};
 }
 
 }  // namespace morphe::commands

@@ -12,18 +12,18 @@ namespace morphe::commands {
 
 /// Returns the names of the subcommands of a program or command, in order.
 std::vector<std::string> command_names(const CLI::App& app);
-/// Returns the options of a command: "--out", "--dataset", …
+/// Returns the long names of the options of a command: "--out", "--dataset", …
 std::vector<std::string> option_names(const CLI::App& app);
 
-/// Returns the message for a command that does not exist.
+/// Returns the message for a command `word` that does not exist, with similar names or all.
 std::string unknown_command(const CLI::App& app, std::string_view word);
 
 /// Returns a line for each option on a command line that its command does not have, "" if there is
 /// no such option. To be called after the command line was parsed, successfully or not.
 std::string unknown_options(const CLI::App& app);
 
-/// Returns the shell completions of the last of the given words, which follow the program's name.
-/// The result is empty if the word is a file or a free value.
+/// Returns the shell completions of the last word of a command line. `words` are those after the
+/// program's name. The result is empty if the last word is a file or another value.
 std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace morphe::commands

@@ -10,8 +10,7 @@
 #include "core/parallel/ordered_parallel_map.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/input_file.hpp"
-#include "pipeline/commands/jobs_option.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/synthesize/synthesize.hpp"
 
 namespace morphe::commands {
@@ -27,9 +26,8 @@ struct SynthesizeArguments {
 };
 
 synthesize::SynthesizeOptions load_options(const std::string& file) {
-  const config::ConfigNode node = config::ConfigNode::load(file);
   synthesize::SynthesizeOptions options;
-  config::read_document(node, options);
+  config::read_document(config::ConfigNode::load(file), options);
   return options;
 }
 
@@ -67,14 +65,11 @@ int execute(const SynthesizeArguments& arguments) {
   return 0;
 }
 
-}  // namespace
-
-Command synthesize_command(CLI::App& app) {
+CommandAction add_synthesize_arguments(CLI::App& app) {
   const auto arguments = std::make_shared<SynthesizeArguments>();
-  app.add_option("CONFIG", arguments->config,
-                 "Config of the recordings to generate (YAML, configs/synthetic)")
-      ->required()
-      ->transform(input_file());
+  add_input_option(app, "CONFIG", arguments->config,
+                   "Config of the recordings to generate (YAML, configs/synthetic)")
+      ->required();
   app.add_option("--out", arguments->out,
                  "The demonstrations.h5 to write; the ground truth goes to F.truth.h5 next to it")
       ->required();
@@ -83,6 +78,15 @@ Command synthesize_command(CLI::App& app) {
   app.add_option("--seed", arguments->seed, "Random seed (default: 1)");
   add_jobs_option(app, arguments->jobs);
   return [arguments] { return execute(*arguments); };
+}
+
+}  // namespace
+
+Command synthesize_command() {
+  return {"synthesize", "Generate recordings with known ground truth",
+          "  morphe synthesize configs/synthetic/reach_to_grasp.yaml --out outputs/synthetic.h5 "
+          "--count 3\n",
+          add_synthesize_arguments};
 }
 
 }  // namespace morphe::commands

@@ -15,20 +15,19 @@ constexpr std::size_t kColumnGap_chars = 2, kMinFirstColumn_chars = 12;
 
 bool is_utf8_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
-/// Replaces control characters, which would move the cursor.
+/// Replaces control characters, which would move the cursor, by question marks.
 std::string replace_controls(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
-  }
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
   return text;
 }
 
-/// Shortens a text to its first and last code points with … between them.
-std::string shorten(const std::string& text, std::size_t most) {
-  if (display_width(text) <= most) return text;
-  const std::size_t last = (most - 1) / 2;
+/// Shortens a text wider than `max_width` to its first and last code points with … between them.
+std::string shorten(const std::string& text, std::size_t max_width) {
+  if (display_width(text) <= max_width) return text;
+  const std::size_t last = (max_width - 1) / 2;
   std::size_t front = 0, back = text.size();
-  for (std::size_t count = 0; count < most - 1 - last; ++count)
+  for (std::size_t count = 0; count < max_width - 1 - last; ++count)
     for (++front; front < text.size() && is_utf8_continuation(text[front]);) ++front;
   for (std::size_t count = 0; count < last; ++count)
     for (--back; back > 0 && is_utf8_continuation(text[back]);) --back;
@@ -41,7 +40,8 @@ std::string cell(const std::string& text, std::size_t width, bool left) {
 }
 
 struct ColumnLayout {
-  std::vector<std::size_t> columns, widths;  ///< columns that are shown
+  std::vector<int> columns;  ///< indices of the columns that are shown
+  std::vector<std::size_t> widths;
   std::string dropped_columns;
 
   std::size_t width() const {
@@ -51,7 +51,7 @@ struct ColumnLayout {
 
 ColumnLayout natural_layout(const TextTable& table) {
   ColumnLayout layout;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+  for (int c = 0; c < std::ssize(table.columns); ++c) {
     std::size_t width =
         std::max(display_width(table.columns[c].top), display_width(table.columns[c].subhead));
     for (const TextTable::Row& row : table.rows)
@@ -62,38 +62,37 @@ ColumnLayout natural_layout(const TextTable& table) {
   return layout;
 }
 
-/// Drops columns in order of priority, then shortens the first column.
+/// Drops columns, the highest drop_priority first, until the table fits with a first column of
+/// kMinFirstColumn_chars. Then shortens the first column as necessary, down to that width.
 void fit_to_width(const TextTable& table, std::size_t width, ColumnLayout& layout) {
-  const std::size_t name = layout.widths[0];
-  const auto needed = [&] { return layout.width() - name + std::min(name, kMinFirstColumn_chars); };
+  const std::size_t name_width = layout.widths[0];
+  const auto needed = [&] {
+    return layout.width() - name_width + std::min(name_width, kMinFirstColumn_chars);
+  };
   while (needed() > width) {
-    std::size_t most = 0;
-    for (std::size_t k = 1; k < layout.columns.size(); ++k) {
-      if (table.columns[layout.columns[k]].drop_priority >
-          table.columns[layout.columns[most]].drop_priority)
-        most = k;
-    }
-    if (table.columns[layout.columns[most]].drop_priority == 0) break;
-    const TextTable::Column& column = table.columns[layout.columns[most]];
+    const auto dropped = std::ranges::max_element(
+        layout.columns, {}, [&](int c) { return table.columns[c].drop_priority; });
+    const TextTable::Column& column = table.columns[*dropped];
+    if (column.drop_priority == 0) break;
     layout.dropped_columns +=
         fmt::format("{}{}{}{}", layout.dropped_columns.empty() ? "" : ", ", column.top,
                     column.top.empty() ? "" : " ", column.subhead);
-    layout.columns.erase(layout.columns.begin() + static_cast<std::ptrdiff_t>(most));
-    layout.widths.erase(layout.widths.begin() + static_cast<std::ptrdiff_t>(most));
+    layout.widths.erase(layout.widths.begin() + (dropped - layout.columns.begin()));
+    layout.columns.erase(dropped);
   }
   if (layout.width() > width) {
-    const std::size_t others = layout.width() - name;
+    const std::size_t others = layout.width() - name_width;
     layout.widths[0] =
-        std::max(std::min(name, kMinFirstColumn_chars), width > others ? width - others : 0);
+        std::max(std::min(name_width, kMinFirstColumn_chars), width > others ? width - others : 0);
   }
 }
 
 template <class TextOf>
 std::string line_of(const TextTable& table, const ColumnLayout& layout, const TextOf& text_of) {
   std::string line;
-  for (std::size_t k = 0; k < layout.columns.size(); ++k) {
-    const std::size_t c = layout.columns[k];
-    const std::string text = shorten(escape_controls(text_of(c)), layout.widths[k]);
+  for (int k = 0; k < std::ssize(layout.columns); ++k) {
+    const int c = layout.columns[k];
+    const std::string text = shorten(replace_controls(text_of(c)), layout.widths[k]);
     line += (k > 0 ? std::string(kColumnGap_chars, ' ') : "") +
             cell(text, layout.widths[k], table.columns[c].left);
   }
@@ -106,10 +105,9 @@ std::string line_of(const TextTable& table, const ColumnLayout& layout, const Te
 std::string wrap_line(const std::string& text, std::size_t width, const std::string& indent) {
   const std::string further = indent + "    ";
   std::string out, line = indent;
-  std::size_t at = 0;
-  while (at < text.size()) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string word = text.substr(begin, end - begin);
     const bool first = line == indent || line == further;
     if (width > 0 && !first && display_width(line) + 1 + display_width(word) > width) {
       out += line + "\n";
@@ -117,7 +115,7 @@ std::string wrap_line(const std::string& text, std::size_t width, const std::str
     } else {
       line += (first ? "" : " ") + word;
     }
-    at = end + 1;
+    begin = end + 1;
   }
   return out + line + "\n";
 }
@@ -125,10 +123,10 @@ std::string wrap_line(const std::string& text, std::size_t width, const std::str
 std::string table_text(const TextTable& table, std::size_t width) {
   ColumnLayout layout = natural_layout(table);
   if (width > 0 && layout.width() > width) fit_to_width(table, width, layout);
-  std::string text = line_of(table, layout, [&](std::size_t c) { return table.columns[c].top; });
-  text += line_of(table, layout, [&](std::size_t c) { return table.columns[c].subhead; });
+  std::string text = line_of(table, layout, [&](int c) { return table.columns[c].top; });
+  text += line_of(table, layout, [&](int c) { return table.columns[c].subhead; });
   for (const TextTable::Row& row : table.rows) {
-    text += line_of(table, layout, [&](std::size_t c) { return row.cells[c]; });
+    text += line_of(table, layout, [&](int c) { return row.cells[c]; });
     for (const std::string& line : row.lines)
       text += wrap_line(replace_controls(line), width, "  ");
   }
@@ -144,8 +142,7 @@ std::size_t terminal_width() {
 }
 
 std::size_t display_width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return !is_utf8_continuation(c); }));
+  return std::ranges::count_if(text, [](char c) { return !is_utf8_continuation(c); });
 }
 
 }  // namespace morphe::commands

@@ -4,14 +4,15 @@
 #include <memory>
 
 #include "pipeline/commands/commands.hpp"
-#include "pipeline/commands/jobs_option.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/planning/plan_requirements.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace morphe::commands {
+namespace {
 
-Command verify_command(CLI::App& app) {
+CommandAction add_verify_arguments(CLI::App& app) {
   struct Arguments {
     std::string file;
     int jobs = 0;
@@ -28,6 +29,13 @@ Command verify_command(CLI::App& app) {
                arguments->json ? verify::verify_json(report) + "\n" : verify::verify_text(report));
     return report.violations.empty() ? 0 : 1;
   };
+}
+
+}  // namespace
+
+Command verify_command() {
+  return {"verify", "Check a plans.h5 with independent code, using only the file",
+          "  morphe verify outputs/first\n", add_verify_arguments};
 }
 
 }  // namespace morphe::commands

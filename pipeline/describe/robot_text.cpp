@@ -27,18 +27,16 @@ std::string finger_of(const RobotModel::Tip& tip) {
   return kFingerNames[tip.finger];
 }
 
-/// Returns the frames that are driven by a joint that also drives an earlier frame: all frames of a
-/// joint except the first.
+/// Returns the frames that a joint moves, except the first frame of each joint.
 std::vector<const RobotModel::Frame*> coupled_frames(const RobotModel& robot) {
-  std::vector<const RobotModel::Frame*> found;
+  std::vector<const RobotModel::Frame*> coupled;
   std::vector<bool> driven(robot.joints(), false);
   for (const RobotModel::Frame& frame : robot.frames) {
     if (frame.joint < 0) continue;
-    const auto joint = static_cast<std::size_t>(frame.joint);
-    if (driven[joint]) found.push_back(&frame);
-    driven[joint] = true;
+    if (driven[frame.joint]) coupled.push_back(&frame);
+    driven[frame.joint] = true;
   }
-  return found;
+  return coupled;
 }
 
 double reach_of(const RobotModel& robot) {
@@ -47,66 +45,54 @@ double reach_of(const RobotModel& robot) {
     reach = std::max(reach, stretched_reach(robot, tip));
   return reach;
 }
-
-/// Returns the width that fits every name.
-int name_width(const RobotModel& robot) {
+std::size_t name_width(const RobotModel& robot) {
   std::size_t width = 10;
   for (const RobotModel::Frame& frame : robot.frames) width = std::max(width, frame.name.size());
   for (const RobotModel::Tip& tip : robot.tips) width = std::max(width, tip.name.size());
-  return static_cast<int>(width);
+  return width;
 }
 
-std::string joint_lines(const RobotModel& robot, int width) {
+std::string joint_lines(const RobotModel& robot, std::size_t width) {
   std::string text =
       fmt::format("{:{}}  {:>8} {:>8} {:>8} {:>8} {:>8}\n{:{}}  {:>8} {:>8} {:>8} {:>8} {:>8}\n",
                   "joint", width, "lower", "upper", "velocity", "accel.", "jerk", "", width, "deg",
                   "deg", "rad/s", "rad/s^2", "rad/s^3");
-  for (std::size_t k = 0; k < robot.joints(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
+  for (int k = 0; k < std::ssize(robot.joint_names); ++k)
     text += fmt::format("{:{}}  {:8.1f} {:8.1f} {:8.3g} {:8.3g} {:8.3g}\n", robot.joint_names[k],
-                        width, degrees(robot.lower[i]), degrees(robot.upper[i]), robot.velocity[i],
-                        robot.acceleration[i], robot.jerk[i]);
-  }
+                        width, degrees(robot.lower[k]), degrees(robot.upper[k]), robot.velocity[k],
+                        robot.acceleration[k], robot.jerk[k]);
   const std::vector<const RobotModel::Frame*> coupled = coupled_frames(robot);
-  if (!coupled.empty())
-    text += fmt::format(
-        "\n"
-        "{:{}}  follows\n",
-        "coupled", width);
-  for (const RobotModel::Frame* frame : coupled) {
+  if (!coupled.empty()) text += fmt::format("\n{:{}}  follows\n", "coupled", width);
+  for (const RobotModel::Frame* frame : coupled)
     text += fmt::format("{:{}}  {:.4g} x {} + {:.4g} deg\n", frame->name, width, frame->ratio,
                         robot.joint_names[frame->joint], degrees(frame->offset));
-  }
   return text;
 }
 
-std::string frame_lines(const RobotModel& robot, int width) {
-  std::string text = fmt::format(
-      "\n"
-      "{:{}}  {:{}}  {:>8} {:>8} {:>8}  mm from its parent frame\n",
-      "frame", width, "parent", width, "x", "y", "z");
+std::string frame_lines(const RobotModel& robot, std::size_t width) {
+  std::string text = fmt::format("\n{:{}}  {:{}}  {:>8} {:>8} {:>8}  mm from its parent frame\n",
+                                 "frame", width, "parent", width, "x", "y", "z");
+  const auto number = [](double x) { return std::abs(x) < 5e-3 ? 0.0 : x; };  // avoids -0.00
   for (const RobotModel::Frame& frame : robot.frames) {
-    const Vec3 at = 1000 * frame.transform.translation();
-    const auto number = [](double x) { return std::abs(x) < 5e-3 ? 0.0 : x; };  // avoids -0.00
-    text += fmt::format("{:{}}  {:{}}  {:8.2f} {:8.2f} {:8.2f}{}\n", frame.name, width,
-                        frame_name(robot, frame.parent), width, number(at.x()), number(at.y()),
-                        number(at.z()), frame.joint < 0 ? "  fixed" : "");
+    const Vec3 origin_mm = 1000 * frame.transform.translation();
+    text +=
+        fmt::format("{:{}}  {:{}}  {:8.2f} {:8.2f} {:8.2f}{}\n", frame.name, width,
+                    frame_name(robot, frame.parent), width, number(origin_mm.x()),
+                    number(origin_mm.y()), number(origin_mm.z()), frame.joint < 0 ? "  fixed" : "");
   }
   return text;
 }
 
-std::string tip_lines(const RobotModel& robot, int width) {
+std::string tip_lines(const RobotModel& robot, std::size_t width) {
   std::string text =
       fmt::format("\n{:{}}  {:{}}  {:>8}  finger\n", "tip", width, "frame", width, "reach m");
-  for (const RobotModel::Tip& tip : robot.tips) {
+  for (const RobotModel::Tip& tip : robot.tips)
     text +=
         fmt::format("{:{}}  {:{}}  {:8.3f}  {}\n", tip.name, width, frame_name(robot, tip.frame),
                     width, stretched_reach(robot, tip), finger_of(tip));
-  }
   text += fmt::format("\n{:{}}  chain\n", "centre", width);
-  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres)
     text += fmt::format("{:{}}  {}\n", frame_name(robot, centre.frame), width, centre.chain);
-  }
   return text;
 }
 
@@ -114,7 +100,7 @@ std::string tip_lines(const RobotModel& robot, int width) {
 
 std::string robot_text(const robot::RobotDescription& description) {
   const RobotModel& robot = description.table;
-  const int width = name_width(robot);
+  const std::size_t width = name_width(robot);
   std::string text = fmt::format(
       "{}: joints {}, coupled {}, tips {}, capsules {}; shoulder {}, palm {}, reach {:.3f} "
       "m\n\n",
@@ -122,9 +108,9 @@ std::string robot_text(const robot::RobotDescription& description) {
       robot.capsules.size(), frame_name(robot, robot.shoulder_frame),
       frame_name(robot, robot.palm_frame), reach_of(robot));
   text += joint_lines(robot, width) + frame_lines(robot, width) + tip_lines(robot, width);
-  const std::vector<std::string> found = plausibility_notes(description);
-  if (!found.empty()) text += "\n";
-  for (const std::string& remark : found) text += fmt::format("note: {}\n", remark);
+  const std::vector<std::string> notes = plausibility_notes(description);
+  if (!notes.empty()) text += "\n";
+  for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
   return text;
 }
 
@@ -132,26 +118,22 @@ std::string robot_json(const robot::RobotDescription& description) {
   const RobotModel& robot = description.table;
   Json joints = Json::array(), coupled = Json::array(), frames = Json::array(),
        tips = Json::array(), centres = Json::array();
-  for (std::size_t k = 0; k < robot.joints(); ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
+  for (int k = 0; k < std::ssize(robot.joint_names); ++k)
     joints.push_back({{"name", robot.joint_names[k]},
-                      {"lower", robot.lower[i]},
-                      {"upper", robot.upper[i]},
-                      {"velocity", robot.velocity[i]},
-                      {"acceleration", robot.acceleration[i]},
-                      {"jerk", robot.jerk[i]}});
-  }
-  for (const RobotModel::Frame* frame : coupled_frames(robot)) {
+                      {"lower", robot.lower[k]},
+                      {"upper", robot.upper[k]},
+                      {"velocity", robot.velocity[k]},
+                      {"acceleration", robot.acceleration[k]},
+                      {"jerk", robot.jerk[k]}});
+  for (const RobotModel::Frame* frame : coupled_frames(robot))
     coupled.push_back({{"frame", frame->name},
                        {"joint", robot.joint_names[frame->joint]},
                        {"ratio", frame->ratio},
                        {"offset", frame->offset}});
-  }
-  for (const RobotModel::Frame& frame : robot.frames) {
+  for (const RobotModel::Frame& frame : robot.frames)
     frames.push_back({{"name", frame.name},
                       {"parent", frame_name(robot, frame.parent)},
                       {"fixed", frame.joint < 0}});
-  }
   for (const RobotModel::Tip& tip : robot.tips) {
     const Json along =
         std::isnan(tip.finger_curve_share) ? Json(nullptr) : Json(tip.finger_curve_share);
@@ -161,9 +143,8 @@ std::string robot_json(const robot::RobotDescription& description) {
                     {"finger_curve_share", along},
                     {"reach_m", stretched_reach(robot, tip)}});
   }
-  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
+  for (const RobotModel::JointCentre& centre : robot.joint_centres)
     centres.push_back({{"frame", frame_name(robot, centre.frame)}, {"chain", centre.chain}});
-  }
   const Json json = {{"robot", robot.name},
                      {"shoulder", frame_name(robot, robot.shoulder_frame)},
                      {"palm", frame_name(robot, robot.palm_frame)},

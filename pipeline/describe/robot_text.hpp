@@ -7,14 +7,11 @@
 
 namespace morphe::describe {
 
-/// Returns notes about valid but implausible properties: a joint that moves no tip, a tip not
-/// attached to the palm, a palm not attached to the shoulder, a finger without a centre, links
-/// without a shape; and the notes of the description about omitted parts. There is one line for
-/// each.
+/// Returns the description's notes, and one on each joint that moves no tip, palm not moved by the
+/// shoulder, tip not moved by the palm, finger without a joint centre, and links without a shape.
 std::vector<std::string> plausibility_notes(const robot::RobotDescription& description);
 
-/// Returns the distance of a tip from the shoulder with all links stretched: the sum of the
-/// distances between the frames along the chain [m].
+/// Returns the sum of the distances between consecutive frames from the shoulder to a tip [m].
 double stretched_reach(const RobotModel& robot, const RobotModel::Tip& tip);
 
 /// Returns tables for display: joints with their limits, couplings, frames, tips, centres, remarks.

@@ -10,11 +10,11 @@
 
 namespace morphe::explain {
 
-/// The effect of an advice for an infeasible movement.
-///   solves   achieves the same goals by other means; only planning shows if they suffice
-///   accepts  relaxes requirements: the violation remains and is allowed
-///   assumes  changes an assumption about something that was not recorded
-///   changes  changes something without a key in the config: the recording, the scene, the robot
+/// The effect of following an advice.
+///   may_solve           the same goals may be met by other means; planning shows whether they are
+///   relaxes_tolerance   the violation remains, but is permitted
+///   changes_assumption  another assumption replaces that about something not recorded
+///   changes_input       the user must change the recording, scene or robot, which no key does
 enum class AdviceKind { may_solve, relaxes_tolerance, changes_assumption, changes_input };
 constexpr std::array<std::string_view, 4> names_of(AdviceKind) {
   return {"may_solve", "relaxes_tolerance", "changes_assumption", "changes_input"};
@@ -23,16 +23,14 @@ constexpr std::array<std::string_view, 4> names_of(AdviceKind) {
 /// An advice for an infeasible plan.
 struct Advice {
   AdviceKind kind = AdviceKind::changes_input;
-  /// KEY=VALUE as accepted by `morphe run --set`, to be applied together
-  std::vector<std::string> settings;
-  std::string sentence;  ///< the reason, with the numbers of the plan
+  std::vector<std::string> settings;  ///< KEY=VALUE for `morphe run --set`, to be set together
+  std::string sentence;               ///< the reason, with the numbers of the plan
 };
 
-/// Returns the advice for an infeasible plan, derived from its own numbers; at least one. Advice
-/// that may solve it comes first, then advice that accepts it.
+/// Returns at least one advice for an infeasible plan, those that may solve it first.
 std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan);
 
-/// Returns "may solve it: --set map.starts=48 (…)".
+/// Returns the sentence, after "may solve it: --set map.starts=96 …: " if there are settings.
 std::string text_of(const Advice& advice);
 
 }  // namespace morphe::explain

@@ -10,19 +10,18 @@ namespace morphe::explain {
 
 /// A shift of the base that would make an infeasible movement easier.
 struct BaseShift {
-  Vec3 shift = Vec3::Zero();  ///< shift of the base, along the world's axes [m]
-  /// depths of the findings of single postures, summed, before and after the shift [m or rad]
-  double depth_before = 0, depth_after = 0;
-  std::size_t frames = 0;  ///< number of frames evaluated
+  Vec3 shift = Vec3::Zero();                 ///< along the world's axes [m]
+  double depth_before = 0, depth_after = 0;  ///< sum of the excess of single postures [m]
+  std::size_t frames = 0;                    ///< number of frames evaluated
 };
 
-/// Returns the shift |s_k| <= limit_m (by a compass search down to 10 mm) that minimises
-///   sum over frames of depths(best posture) + 0.01 |s|.
-/// The frames are those around the findings that repair has left and a few along the movement; the
-/// best posture results from solves with tips and clearance only, starting from the postures of the
-/// path and of the mapping. The shift is computed from the plan alone: the goals of tips and the
-/// scene move relative to the base, the arm's goals stay. Returns nullopt if the plan was not
-/// mapped, the target is attached in all of these frames, or no shift halves the sum.
+/// Returns the shift s, |s_k| <= limit_m, that minimises
+///   (sum over frames of the summed excess of the best posture's findings) + 0.01 |s|
+/// by a compass search with steps down to 10 mm. The frames are the middles of the worst findings
+/// that repair has left, and a few along the movement. The best posture is that with less excess of
+/// two, solved from the path and from the mapping with tips and clearance only. The goals of tips
+/// and the scene move relative to the base, the arm's goals stay. Returns nullopt if the plan was
+/// not mapped, the target is attached in all of these frames, or no shift halves the sum.
 std::optional<BaseShift> find_base_shift(const robot::Robot& robot,
                                          const planning::PipelineConfig& config, const Plan& plan,
                                          double limit_m);

@@ -14,8 +14,6 @@ namespace morphe::explain {
 namespace {
 
 constexpr double kMaxBaseShift_m = 0.16;
-
-/// Returns the advice for a base shift, rounded to millimetres like placements.
 Advice advice_of(const BaseShift& found, const Vec3& configured) {
   const Vec3 mm = (1e3 * found.shift).array().round();
   const Vec3 offset = configured + 1e-3 * mm;
@@ -29,28 +27,25 @@ Advice advice_of(const BaseShift& found, const Vec3& configured) {
                       1e3 * found.depth_after)};
 }
 
-/// Adds the advice for a narrower target, rounded to a millimetre, if one is possible, and for no
-/// target.
-void add_advice(const OversizedTarget& found, const std::string& target,
+/// Adds the advice for a narrower target, unless it would be too narrow, and that for no target.
+void add_advice(const OversizedTarget& oversized, const std::string& target,
                 std::vector<TriedAdvice>& all) {
   constexpr double kMinTargetRadius_m = 0.005;
-  const std::string words = fmt::format(
+  const auto add = [&](std::string setting, std::string text) {
+    all.push_back({{AdviceKind::changes_assumption, {std::move(setting)}, std::move(text)}, {}});
+  };
+  const std::string reason = fmt::format(
       "the {} was not recorded: its radius of {:.0f} mm is inferred from thumb and index, but at "
       "most {:.0f} mm fit beside the goal of {} at {:.2f} s",
-      target, 1e3 * found.radius_m, 1e3 * std::max(0.0, found.allowed_radius_m), found.tip,
-      found.time_s);
-  if (found.allowed_radius_m >= kMinTargetRadius_m) {
-    const double radius_m = std::floor(1e3 * found.allowed_radius_m) / 1e3;
-    all.push_back({{AdviceKind::changes_assumption,
-                    {fmt::format("scene.target.radius={:.3f}", radius_m)},
-                    words},
-                   {}});
-  }
-  all.push_back({{AdviceKind::changes_assumption,
-                  {"scene.target.infer=false"},
-                  words + "; without a target there is no check for collisions with it, and the "
-                          "plan has no grasp"},
-                 {}});
+      target, 1e3 * oversized.radius_m, 1e3 * std::max(0.0, oversized.allowed_radius_m),
+      oversized.tip, oversized.time_s);
+  const double radius_m = std::floor(1e3 * oversized.allowed_radius_m) / 1e3;
+  if (oversized.allowed_radius_m >= kMinTargetRadius_m)
+    add(fmt::format("scene.target.radius={:.3f}", radius_m), reason);
+  add("scene.target.infer=false",
+      reason +
+          "; without a target there is no check for collisions with it, and the plan has no "
+          "grasp");
 }
 
 bool is_about_contact(Reason reason) {
@@ -58,11 +53,8 @@ bool is_about_contact(Reason reason) {
          reason == Reason::no_path || reason == Reason::tracking || reason == Reason::unreachable;
 }
 
-/// Returns true if a reason may depend on the position of the base.
-bool depends_on_base(Reason reason) {
-  return reason == Reason::unreachable || reason == Reason::tracking ||
-         reason == Reason::goal_in_collision || reason == Reason::start_in_collision ||
-         reason == Reason::no_path || reason == Reason::jump || reason == Reason::joint_limit;
+bool may_depend_on_base(Reason reason) {
+  return is_about_contact(reason) || reason == Reason::jump || reason == Reason::joint_limit;
 }
 
 }  // namespace
@@ -71,15 +63,15 @@ std::vector<TriedAdvice> collect_advice(const robot::Robot& robot, const Plan& p
                                         const planning::RunConfig* config,
                                         const Demonstration* demonstration) {
   std::vector<TriedAdvice> all;
-  if (config && depends_on_base(plan.reason)) {
+  if (config && may_depend_on_base(plan.reason)) {
     const planning::PipelineConfig& options = config->loaded.options;
     if (const auto shift = find_base_shift(robot, options, plan, kMaxBaseShift_m))
       all.push_back({advice_of(*shift, options.placement.shoulder_offset), {}});
   }
   for (Advice& advice : advice_for(robot, plan)) all.push_back({std::move(advice), {}});
   if (config && is_about_contact(plan.reason)) {
-    if (const auto wide = find_oversized_target(robot, plan, config->loaded.options.scene))
-      add_advice(*wide, plan.movement.target, all);
+    if (const auto oversized = find_oversized_target(robot, plan, config->loaded.options.scene))
+      add_advice(*oversized, plan.movement.target, all);
   }
   if (!config || !demonstration) return all;
   for (TriedAdvice& one : all) {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/motion/demonstration.hpp"
@@ -16,10 +15,12 @@ struct TriedAdvice {
   std::optional<Plan> plan;
 };
 
-/// Collects the advice for an infeasible plan: another base position if single postures show one
-/// within 160 mm, advice_for(), and a narrower target or no target if it was inferred so wide that
-/// it obstructs the person's own fingertips (`config` is the run's; nullptr: advice_for() alone).
-/// With `demonstration`, the advice is tried in order until the movement becomes executable.
+/// Collects the advice for an infeasible plan, in this order:
+///   1. a shift of the base by at most 160 mm, if find_base_shift() returns one
+///   2. advice_for()
+///   3. a narrower target, or no target, if find_oversized_target() returns one
+/// Without the run's `config` (nullptr) there is only advice_for(). With config and demonstration,
+/// the advice is tried in this order until the movement becomes executable.
 std::vector<TriedAdvice> collect_advice(const robot::Robot& robot, const Plan& plan,
                                         const planning::RunConfig* config,
                                         const Demonstration* demonstration);

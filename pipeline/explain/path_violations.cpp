@@ -11,31 +11,38 @@
 namespace morphe::explain {
 namespace {
 
-void keep_worse(const TipError& miss, std::optional<TipError>& worst) {
-  const auto beyond = [](const TipError& one) { return one.error_m - one.allowed_m; };
-  if (beyond(miss) > (worst ? beyond(*worst) : 0)) worst = miss;
+void keep_worse(const TipError& error, std::optional<TipError>& worst) {
+  const auto excess = [](const TipError& e) { return e.error_m - e.allowed_m; };
+  if (excess(error) > (worst ? excess(*worst) : 0)) worst = error;
 }
 
-void find_tip_errors(const robot::Robot& robot, const Plan& plan, PathViolations& shortfall) {
+void find_tip_errors(const robot::Robot& robot, const Plan& plan, PathViolations& violations) {
   if (plan.goals.frames() == 0) return;
   std::vector<Pose> base_from_frame;
   const std::vector<double>& time = plan.path.demonstration_time;
-  for (std::size_t k = 0; k < time.size(); ++k) {
+  for (int k = 0; k < std::ssize(time); ++k) {
     robot::forward_kinematics(robot, plan.path.position.row(k).transpose(), base_from_frame);
-    TipError miss;
-    miss.time_s = time[k];
-    miss.grasping = check::counts_as_grasp(plan.movement, time, k);
-    miss.allowed_m = miss.grasping ? plan.tolerances.tracking_tolerance_grasp
-                                   : plan.tolerances.tracking_tolerance;
-    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    TipError error;
+    error.time_s = time[k];
+    error.grasping = check::counts_as_grasp(plan.movement, time, k);
+    error.allowed_m = error.grasping ? plan.tolerances.tracking_tolerance_grasp
+                                     : plan.tolerances.tracking_tolerance;
+    for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
       const Vec3 goal = tip_goal_at(plan.goals, tip, time[k]);
       if (!is_known(goal)) continue;
-      miss.tip = robot.tips[tip].name;
+      error.tip = robot.tips[tip].name;
       const double share = pad_share_at(plan.goals, tip, time[k]);
-      miss.error_m = (robot::tracked_point(robot, base_from_frame, tip, share) - goal).norm();
-      keep_worse(miss, miss.grasping ? shortfall.grasp_tip_error : shortfall.other_tip_error);
+      error.error_m = (robot::tracked_point(robot, base_from_frame, tip, share) - goal).norm();
+      keep_worse(error, error.grasping ? violations.grasp_tip_error : violations.other_tip_error);
     }
   }
+}
+
+template <class List>
+int index_of(const List& list, const std::string& name) {
+  for (int k = 0; k < std::ssize(list); ++k)
+    if (list[k].name == name) return k;
+  return -1;
 }
 
 ClearanceViolation make_clearance_violation(const collision::CollisionWorld& world,
@@ -45,18 +52,13 @@ ClearanceViolation make_clearance_violation(const collision::CollisionWorld& wor
                              finding.begin_s,
                              finding.end_s,
                              finding.excess,
-                             world.tolerances.required_clearance,
+                             finding.limit,
                              "check.required_clearance",
                              finding.cause != Cause::self_collision};
-  const auto named = [](const auto& list, const std::string& name) {
-    const auto it = std::ranges::find_if(list, [&](const auto& one) { return one.name == name; });
-    return it == list.end() ? -1 : static_cast<int>(it - list.begin());
-  };
-  const int capsule = named(world.robot->capsules, finding.subject);
-  const int object = named(world.scene->objects, finding.other_body);
+  const int capsule = index_of(world.robot->capsules, finding.subject);
+  const int object = index_of(world.scene->objects, finding.other_body);
   if (finding.cause == Cause::self_collision || capsule < 0 || object < 0) return contact;
   const double middle_s = 0.5 * (finding.begin_s + finding.end_s);
-  contact.required_m = collision::required_distance_m(world, capsule, object, middle_s);
   if (!collision::may_touch(world, capsule, object, middle_s)) return contact;
   const bool pad = robot::is_pad(*world.robot, capsule);
   contact.config_key = !world.tolerances.max_link_penetration ? "check.max_penetration"
@@ -73,21 +75,20 @@ bool PathViolations::empty() const {
 }
 
 PathViolations find_path_violations(const robot::Robot& robot, const Plan& plan) {
-  PathViolations shortfall;
-  find_tip_errors(robot, plan, shortfall);
+  PathViolations violations;
+  find_tip_errors(robot, plan, violations);
   const collision::CollisionWorld world =
       collision::make_world(robot, plan.scene, plan.movement, plan.tolerances);
-  std::vector<Finding> left = plan.remaining_findings.empty() && plan.repair.empty()
-                                  ? plan.findings
-                                  : plan.remaining_findings;
-  std::ranges::stable_sort(left, std::greater{}, &Finding::excess);
-  for (const Finding& finding : left) {
+  const bool old_file = plan.remaining_findings.empty() && plan.repair.empty();
+  std::vector<Finding> findings = old_file ? plan.findings : plan.remaining_findings;
+  std::ranges::stable_sort(findings, std::greater{}, &Finding::excess_m);
+  for (const Finding& finding : findings) {
     if (is_collision(finding.cause))
-      shortfall.contacts.push_back(make_clearance_violation(world, finding));
-    if (finding.cause == Cause::jump) shortfall.jumps.push_back(finding);
-    if (finding.cause == Cause::joint_limit) shortfall.limits.push_back(finding);
+      violations.contacts.push_back(make_clearance_violation(world, finding));
+    if (finding.cause == Cause::jump) violations.jumps.push_back(finding);
+    if (finding.cause == Cause::joint_limit) violations.limits.push_back(finding);
   }
-  return shortfall;
+  return violations;
 }
 
 }  // namespace morphe::explain

@@ -28,16 +28,12 @@ Plan replan(const planning::RunConfig& config, const Demonstration& demonstratio
             const std::vector<std::string>& settings) {
   const planning::PipelineConfig options = apply_settings(config, settings);
   const planning::PlanningInputs planner{options, config.loaded.robot};
-  planning::StageSeconds ignored;
-  const planning::Reconstruction rebuilt =
-      planning::reconstruct_demonstration(planner, demonstration, ignored);
-  if (plan.reason != Reason::no_movement) {
-    return planning::plan_movement(planner, rebuilt.on_robot_side, rebuilt.motion, plan.movement,
-                                   ignored);
-  }
-  if (rebuilt.movements.empty()) return plan;
-  return planning::plan_movement(planner, rebuilt.on_robot_side, rebuilt.motion,
-                                 rebuilt.movements.front(), ignored);
+  const planning::Reconstruction reconstruction =
+      planning::reconstruct_demonstration(planner, demonstration);
+  const bool has_movement = plan.reason != Reason::no_movement;
+  if (!has_movement && reconstruction.movements.empty()) return plan;
+  return planning::plan_movement(planner, reconstruction.on_robot_side, reconstruction.motion,
+                                 has_movement ? plan.movement : reconstruction.movements.front());
 }
 
 }  // namespace morphe::explain

@@ -8,8 +8,8 @@
 
 namespace morphe::explain {
 
-/// Plans the plan's movement again from its recording, with KEY=VALUE settings in addition to the
-/// run's config. Throws InputError for invalid settings.
+/// Plans the movement again, with further KEY=VALUE settings. For a plan without a movement, plans
+/// the first one found now, if any, or returns `plan`. Throws InputError for invalid settings.
 Plan replan(const planning::RunConfig& config, const Demonstration& demonstration, const Plan& plan,
             const std::vector<std::string>& settings);
 

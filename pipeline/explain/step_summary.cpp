@@ -8,6 +8,7 @@
 
 #include "core/motion/arm_estimate.hpp"
 #include "core/motion/count_with_noun.hpp"
+#include "core/motion/finding_text.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "pipeline/explain/reason_sentence.hpp"
 #include "pipeline/planning/palm_error.hpp"
@@ -25,51 +26,50 @@ std::string segmentation(const Movement& movement) {
       movement.target.empty() ? "no object grasped" : "target " + movement.target;
   std::string text = line("segmentation", fmt::format("{:.2f}–{:.2f} s of the recording, {}",
                                                       movement.begin_s, movement.end_s, target));
-  for (const Phase& phase : movement.phases) {
+  for (const Phase& phase : movement.phases)
     text += line("", fmt::format("{:<9} {:6.2f}–{:.2f} s, confidence {:.0f} %", name_of(phase.kind),
                                  phase.begin_s, phase.end_s, 100 * phase.confidence));
+  return text;
+}
+
+/// Returns the time intervals of frames whose goals are out of reach, "1.20–1.80 s, 2.10–2.30 s".
+std::string intervals_out_of_reach(const MappingResult& mapped, const std::vector<double>& time) {
+  std::string text;
+  const std::vector<FrameStatus>& status = mapped.status;
+  for (int first = 0, last = 0; first < std::ssize(status); first = last + 1) {
+    last = first;
+    if (status[first] != FrameStatus::out_of_reach) continue;
+    while (last + 1 < std::ssize(status) && status[last + 1] == FrameStatus::out_of_reach) ++last;
+    text += fmt::format("{}{:.2f}–{:.2f} s", text.empty() ? "" : ", ", time[first], time[last]);
   }
   return text;
 }
 
-/// Returns the time intervals of frames whose goals are out of reach, "1.20-1.80 s, 2.10-2.30 s".
-std::string stretches_out_of_reach(const MappingResult& mapped, const std::vector<double>& time) {
-  std::string text;
-  const auto out = [&](std::size_t f) { return mapped.status[f] == FrameStatus::out_of_reach; };
-  for (std::size_t f = 0; f < mapped.status.size(); ++f) {
-    if (!out(f) || (f > 0 && out(f - 1))) continue;
-    std::size_t last = f;
-    while (last + 1 < mapped.status.size() && out(last + 1)) ++last;
-    text += fmt::format("{}{:.2f}–{:.2f} s", text.empty() ? "" : ", ", time[f], time[last]);
+/// Sum, maximum and number of the values that are not NaN.
+struct Statistics {
+  double sum = 0, max = 0, count = 0;
+};
+Statistics statistics_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  Statistics known;
+  for (const double value : values) {
+    if (std::isnan(value)) continue;
+    known.sum += value;
+    known.max = std::max(known.max, value);
+    known.count += 1;
   }
-  return text;
+  return known;
 }
 
 std::string tip_error_text(const RobotModel& robot, const MappingResult& mapped) {
   std::string text;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    double sum = 0, largest = 0, count = 0;
-    for (const double error : mapped.tip_error.col(tip)) {
-      if (std::isnan(error)) continue;
-      sum += error;
-      largest = std::max(largest, error);
-      count += 1;
-    }
-    if (count == 0) continue;
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
+    const Statistics error = statistics_of(mapped.tip_error.col(tip));
+    if (error.count == 0) continue;
     text += fmt::format("{}{} {:.1f} (max {:.1f})", text.empty() ? "" : ", ", robot.tips[tip].name,
-                        kMillimetresPerMetre * sum / count, kMillimetresPerMetre * largest);
+                        kMillimetresPerMetre * error.sum / error.count,
+                        kMillimetresPerMetre * error.max);
   }
   return text;
-}
-
-double mean_of(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  double sum = 0, count = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    count += 1;
-  }
-  return count > 0 ? sum / count : kUnknown;
 }
 
 std::string mapping(const RobotModel& robot, const Plan& plan) {
@@ -79,22 +79,21 @@ std::string mapping(const RobotModel& robot, const Plan& plan) {
                                                  count_with_noun(mapped.status.size(), "frame"),
                                                  tip_error_text(robot, mapped)));
   const GoalCount count = count_goals(plan.goals);
-  const std::string where = stretches_out_of_reach(mapped, plan.goals.time);
+  const std::string intervals = intervals_out_of_reach(mapped, plan.goals.time);
   text += line("", fmt::format("{} of {} fingertip goals out of reach{}{}", count.out_of_reach,
-                               count.all, where.empty() ? "" : ": ", where));
-  const double a =
-      mapped.humanlikeness.cols() > 0 ? mean_of(mapped.humanlikeness.col(0)) : kUnknown;
+                               count.all, intervals.empty() ? "" : ": ", intervals));
+  Statistics arm;
+  if (mapped.humanlikeness.cols() > 0) arm = statistics_of(mapped.humanlikeness.col(0));
+  const double a = arm.count > 0 ? arm.sum / arm.count : kUnknown;
   const double palm = planning::palm_error(robot, plan);
   std::string human;
-  if (!std::isnan(a)) {
+  if (!std::isnan(a))
     human = is_arm_estimated(plan.goals)
                 ? fmt::format("humanlikeness A ~{:.4f} m^2 from an estimated shoulder and elbow", a)
                 : fmt::format("humanlikeness A {:.4f} m^2", a);
-  }
-  if (!std::isnan(palm)) {
+  if (!std::isnan(palm))
     human += fmt::format("{}palm rotated by {:.0f} degrees from the person's",
                          human.empty() ? "" : ", ", palm / kRadPerDegree);
-  }
   return human.empty() ? text : text + line("", human);
 }
 
@@ -102,8 +101,7 @@ std::string finding_lines(const char* step, const std::vector<Finding>& findings
                           const char* none) {
   if (findings.empty()) return line(step, none);
   std::string text;
-  for (const Finding& finding : findings)
-    text += line(text.empty() ? step : "", repair::sentence(finding));
+  for (const Finding& finding : findings) text += line(text.empty() ? step : "", sentence(finding));
   return text;
 }
 
@@ -113,7 +111,7 @@ std::string change_text(const RepairStep& step) {
                      step.begin_s, step.end_s);
 }
 
-/// Returns true for files of earlier versions, which do not record the repair steps.
+/// Returns true for plans of earlier versions, which do not record the repair steps.
 bool lacks_repair_record(const Plan& plan) { return plan.repair.empty() && !plan.findings.empty(); }
 
 std::string repairs(const Plan& plan) {
@@ -170,9 +168,8 @@ std::string timing(const Plan& plan) {
 std::string step_summary(const RobotModel& robot, const Plan& plan) {
   std::string text =
       fmt::format("{}/{:03}: {}", plan.demonstration, plan.movement.index, name_of(plan.status()));
-  if (!plan.has_trajectory()) {
+  if (!plan.has_trajectory())
     text += fmt::format(", {}. {}", name_of(plan.reason), reason_sentence(plan.reason));
-  }
   text += "\n";
   if (!plan.detail.empty()) text += line("", plan.detail);
   if (plan.reason == Reason::no_movement) return text;

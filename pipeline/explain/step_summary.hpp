@@ -7,8 +7,7 @@
 
 namespace morphe::explain {
 
-/// Returns a summary of the plan by stages: lines of text, indented below the plan's name and
-/// status. Advice is not included.
+/// Returns the plan's name and status, and below them lines on the results of each stage.
 std::string step_summary(const RobotModel& robot, const Plan& plan);
 
 }  // namespace morphe::explain

@@ -1,8 +1,7 @@
 #pragma once
 
 /// Morphe as a library: recordings -> demonstrations.h5 -> plans -> plans.h5, and the verification
-/// of plans. docs/library.md describes all of it on one page. Units are SI (m, s, rad); values that
-/// were not observed are NaN.
+/// of plans (docs/library.md). Units are SI (m, s, rad); values that were not observed are NaN.
 ///
 /// All errors in a file, a config or an argument are thrown as InputError, with one line that names
 /// the file, line and key. Files to be read are searched at the given path, and then among those
@@ -46,8 +45,7 @@ class MORPHE_EXPORT Pipeline {
 
   /// Returns the robot of the config.
   const RobotModel& robot() const;
-  /// Returns the demonstrations.h5 or the recordings that the config names, "" if it names no
-  /// dataset.
+  /// Returns the demonstrations.h5 or the recordings that the config names, "" if it names none.
   const std::filesystem::path& dataset() const;
 
  private:
@@ -55,17 +53,15 @@ class MORPHE_EXPORT Pipeline {
   std::shared_ptr<const State> state_;
 };
 
-/// Reads a recording, or a manifest (.yaml) of recordings, and writes a demonstrations.h5. Returns
-/// the number of demonstrations.
+/// Converts a recording, or a manifest (.yaml) of recordings. Returns the number of demonstrations.
 MORPHE_EXPORT std::size_t import_recordings(const std::filesystem::path& recordings,
                                             const std::filesystem::path& demonstrations);
 
 /// Loads a robot description (docs/formats.md): DH chains, a URDF, a generated robot, or parts.
 MORPHE_EXPORT RobotModel load_robot(const std::filesystem::path& description);
 
-/// Verifies every plan of a plans.h5 against its certificate and against the requirements of its
-/// own config and inputs, as `morphe verify` does; verify::verify_file alone does not check the
-/// latter.
+/// Verifies every plan of a plans.h5 as `morphe verify` does: against its certificate and, which
+/// verify::verify_file alone does not, against the requirements of its own config and inputs.
 MORPHE_EXPORT verify::VerifyReport verify_plans(const std::filesystem::path& plans);
 
 }  // namespace morphe

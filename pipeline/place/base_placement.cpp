@@ -5,14 +5,14 @@
 #include <numbers>
 
 #include "core/math/rotation.hpp"
+#include "pipeline/place/constants.hpp"
 
 namespace morphe::place {
 namespace {
 
-/// Returns the centre of the mount's directions nearest to an axis, unknown if all directions are
-/// allowed.
+/// Returns the mount's direction nearest to the axis `up`, unknown if all directions are allowed.
 Vec3 mount_axis(MountDirection mount, const Vec3& up) {
-  const auto level = [](double x, double y) -> Vec3 {
+  const auto horizontal = [](double x, double y) -> Vec3 {
     const double norm = std::hypot(x, y);
     return norm > 1e-9 ? Vec3(x / norm, y / norm, 0) : Vec3::UnitX();
   };
@@ -24,41 +24,40 @@ Vec3 mount_axis(MountDirection mount, const Vec3& up) {
     case MountDirection::ceiling:
       return -Vec3::UnitZ();
     case MountDirection::wall:
-      return level(up.x(), up.y());
+      return horizontal(up.x(), up.y());
     case MountDirection::side:
       return {up.x() < 0 ? -1.0 : 1.0, 0, 0};
   }
   return unknown_point();
 }
 
-/// Returns the smallest rotation from upright to the given axis of a base.
 Quat rotation_from_vertical(const Vec3& up) {
   return math::shortest_rotation(Vec3::UnitZ(), up).normalized();
 }
 
-/// Samples uniformly from the part of the unit sphere from z = least to 1 about an axis.
-Vec3 sample_spherical_cap(const Vec3& axis, double least, math::RandomStream& random) {
-  const double z = random.uniform(least, 1), around = random.uniform(0, 2 * std::numbers::pi);
+/// Draws uniformly from the unit vectors whose component along `axis` is at least `min_z`.
+Vec3 sample_spherical_cap(const Vec3& axis, double min_z, math::RandomStream& random) {
+  const double z = random.uniform(min_z, 1), azimuth = random.uniform(0, 2 * std::numbers::pi);
   const double r = std::sqrt(std::max(0.0, 1 - z * z));
-  return rotation_from_vertical(axis) * Vec3(r * std::cos(around), r * std::sin(around), z);
+  return rotation_from_vertical(axis) * Vec3(r * std::cos(azimuth), r * std::sin(azimuth), z);
 }
 
 Vec3 sample_base_axis(const PlaceOptions& options, math::RandomStream& random) {
-  const double least = std::cos(options.max_tilt_rad);
+  const double min_z = std::cos(options.max_tilt_rad);
   switch (options.mount) {
     case MountDirection::any:
       break;
     case MountDirection::wall: {
-      const double around = random.uniform(0, 2 * std::numbers::pi);
+      const double azimuth = random.uniform(0, 2 * std::numbers::pi);
       const double z = std::sin(options.max_tilt_rad) * random.uniform(-1, 1);
       const double r = std::sqrt(1 - z * z);
-      return {r * std::cos(around), r * std::sin(around), z};
+      return {r * std::cos(azimuth), r * std::sin(azimuth), z};
     }
     case MountDirection::side:
-      return sample_spherical_cap({random.bernoulli(0.5) ? 1.0 : -1.0, 0, 0}, least, random);
+      return sample_spherical_cap({random.bernoulli(0.5) ? 1.0 : -1.0, 0, 0}, min_z, random);
     case MountDirection::floor:
     case MountDirection::ceiling:
-      return sample_spherical_cap(mount_axis(options.mount, Vec3::UnitZ()), least, random);
+      return sample_spherical_cap(mount_axis(options.mount, Vec3::UnitZ()), min_z, random);
   }
   return sample_spherical_cap(Vec3::UnitZ(), -1, random);
 }
@@ -69,8 +68,8 @@ BasePlacement base_placement_of(const map::PlacementOptions& placement) {
   return {Quat(map::rotation_of(placement)).normalized(), placement.shoulder_offset};
 }
 
-map::PlacementOptions placement_of(const BasePlacement& stand) {
-  const Eigen::Matrix3d r = stand.world_from_base.toRotationMatrix();
+map::PlacementOptions placement_of(const BasePlacement& pose) {
+  const Eigen::Matrix3d r = pose.world_from_base.toRotationMatrix();
   const double y = std::asin(std::clamp(-r(2, 0), -1.0, 1.0));
   double z = std::atan2(r(1, 0), r(0, 0)), x = std::atan2(r(2, 1), r(2, 2));
   if (std::abs(r(2, 0)) > 1 - 1e-9) {  // z and x turn about the same line
@@ -85,47 +84,44 @@ map::PlacementOptions placement_of(const BasePlacement& stand) {
   turn("z", z);
   turn("y", y);
   turn("x", x);
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    placement.shoulder_offset[k] = std::round(stand.shoulder_offset[k] * 1e3) / 1e3;
-  }
+  for (int k = 0; k < 3; ++k)
+    placement.shoulder_offset[k] = std::round(pose.shoulder_offset[k] * 1e3) / 1e3;
   return placement;
 }
 
-BasePlacement project_to_constraints(const BasePlacement& stand, const BasePlacement& configured,
+BasePlacement project_to_constraints(const BasePlacement& pose, const BasePlacement& configured,
                                      const PlaceOptions& options) {
-  BasePlacement inside = stand;
-  inside.shoulder_offset =
-      stand.shoulder_offset.cwiseMax(kMinShoulderOffset_m).cwiseMin(kMaxShoulderOffset_m);
-  if (options.fixed.x) inside.shoulder_offset.x() = configured.shoulder_offset.x();
-  if (options.fixed.y) inside.shoulder_offset.y() = configured.shoulder_offset.y();
-  if (options.fixed.z) inside.shoulder_offset.z() = configured.shoulder_offset.z();
+  BasePlacement allowed = pose;
+  allowed.shoulder_offset =
+      pose.shoulder_offset.cwiseMax(kMinShoulderOffset_m).cwiseMin(kMaxShoulderOffset_m);
+  if (options.fixed.x) allowed.shoulder_offset.x() = configured.shoulder_offset.x();
+  if (options.fixed.y) allowed.shoulder_offset.y() = configured.shoulder_offset.y();
+  if (options.fixed.z) allowed.shoulder_offset.z() = configured.shoulder_offset.z();
   if (options.fixed.rotation) {
-    inside.world_from_base = configured.world_from_base;
-    return inside;
+    allowed.world_from_base = configured.world_from_base;
+    return allowed;
   }
-  const Vec3 up = stand.up(), middle = mount_axis(options.mount, up);
-  if (!is_known(middle)) return inside;
-  const double away = std::atan2(middle.cross(up).norm(), middle.dot(up));
-  if (away <= options.max_tilt_rad) return inside;
-  Vec3 axis = up.cross(middle);
+  const Vec3 up = pose.up(), direction = mount_axis(options.mount, up);
+  if (!is_known(direction)) return allowed;
+  const double tilt = std::atan2(direction.cross(up).norm(), direction.dot(up));
+  if (tilt <= options.max_tilt_rad) return allowed;
+  Vec3 axis = up.cross(direction);
   axis = axis.norm() > 1e-9 ? axis.normalized() : up.unitOrthogonal();
-  inside.world_from_base =
-      (Quat(Eigen::AngleAxisd(away - options.max_tilt_rad, axis)) * stand.world_from_base)
-          .normalized();
-  return inside;
+  const Quat upright(Eigen::AngleAxisd(tilt - options.max_tilt_rad, axis));
+  allowed.world_from_base = (upright * pose.world_from_base).normalized();
+  return allowed;
 }
 
 BasePlacement random_base_placement(const BasePlacement& configured, const PlaceOptions& options,
                                     math::RandomStream& random) {
-  BasePlacement stand;
+  BasePlacement pose;
   const Vec3 up = sample_base_axis(options, random);
-  const double about = random.uniform(0, 2 * std::numbers::pi);
-  stand.world_from_base =
-      (rotation_from_vertical(up) * Quat(Eigen::AngleAxisd(about, Vec3::UnitZ()))).normalized();
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    stand.shoulder_offset[k] = random.uniform(kMinShoulderOffset_m[k], kMaxShoulderOffset_m[k]);
-  }
-  return project_to_constraints(stand, configured, options);
+  const double turn_rad = random.uniform(0, 2 * std::numbers::pi);
+  pose.world_from_base =
+      (rotation_from_vertical(up) * Quat(Eigen::AngleAxisd(turn_rad, Vec3::UnitZ()))).normalized();
+  for (int k = 0; k < 3; ++k)
+    pose.shoulder_offset[k] = random.uniform(kMinShoulderOffset_m[k], kMaxShoulderOffset_m[k]);
+  return project_to_constraints(pose, configured, options);
 }
 
 }  // namespace morphe::place

@@ -6,36 +6,27 @@
 
 namespace morphe::place {
 
-/// A placement of the base as represented in the search: the config's placement with one rotation
-/// instead of a series of turns.
+/// A pose of the base in the search: a placement of the config, with its turns as one rotation.
 struct BasePlacement {
-  /// The orientation of the base in the world.
   Quat world_from_base = Quat::Identity();
-  /// Offset from the human shoulder to the robot's, in world axes [m].
-  Vec3 shoulder_offset = Vec3::Zero();
+  Vec3 shoulder_offset = Vec3::Zero();  ///< robot's shoulder from the human's, in world axes [m]
 
-  Vec3 up() const { return world_from_base * Vec3::UnitZ(); }  ///< returns the z axis of the base
+  /// Returns the z axis of the base.
+  Vec3 up() const { return world_from_base * Vec3::UnitZ(); }
 };
 
-/// The limits of the shoulder offset in the search [m].
-inline const Vec3 kMinShoulderOffset_m(-0.6, -0.8, -0.6), kMaxShoulderOffset_m(0.6, 0.4, 0.6);
-
-/// Converts a placement of the config.
+/// Returns the pose that a placement of the config describes.
 BasePlacement base_placement_of(const map::PlacementOptions& placement);
 
-/// Converts to a placement of the config, with turns about z, y and x rounded to a tenth of a
-/// degree and the offset to a millimetre, so that the placement that is written is the one that was
-/// evaluated. Turns of 0 are left out.
-map::PlacementOptions placement_of(const BasePlacement& stand);
+/// Returns the placement of the config for a pose, rounded to 0.1 degrees and 1 mm.
+map::PlacementOptions placement_of(const BasePlacement& pose);
 
-/// Returns the nearest placement that satisfies the mount and the fixed coordinates: the axis of
-/// the base is rotated by the smallest angle to the directions of the mount, and the shoulder is
-/// moved into the box.
-BasePlacement project_to_constraints(const BasePlacement& stand, const BasePlacement& configured,
+/// Returns the pose moved into the box of the search and turned as little as possible until its
+/// axis is within max_tilt_rad of the mount's direction. Fixed coordinates become the configured.
+BasePlacement project_to_constraints(const BasePlacement& pose, const BasePlacement& configured,
                                      const PlaceOptions& options);
 
-/// Draws a placement uniformly from the allowed ones: the offset from the box, the axis of the base
-/// from the mount's part of the sphere, and the turn about it from the circle.
+/// Draws uniformly an offset in the box, an allowed axis and a turn about it, except fixed ones.
 BasePlacement random_base_placement(const BasePlacement& configured, const PlaceOptions& options,
                                     math::RandomStream& random);
 

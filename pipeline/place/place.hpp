@@ -8,54 +8,47 @@
 
 namespace morphe::place {
 
-/// The results of full plans with a placement over all movements.
+/// The results of full plans over all movements.
 struct PlannedSummary {
-  /// The means over the mapped frames, with these exceptions. out_of_reach: as the plans determine
-  /// it; collision_share: share of plans without a trajectory; upper_arm_error: of the trajectory,
-  /// if there is one; speed_ratio: tempo of the trajectory.
+  /// Means over the movements of the measures of their mapped frames, except:
+  ///   out_of_reach     share of goals that the plans find out of reach
+  ///   collision_share  share of plans without a trajectory
+  ///   upper_arm_error  that of the trajectory, if there is one
+  ///   speed_ratio      the trajectory's duration ratio, if there is one
+  /// Movements that were not mapped count as 0 except in collision_share.
   PlacementMeasures measures;
-  /// The number of movements and of executable plans.
   int movements = 0, executable = 0;
-  /// Median and maximum of the movements' means [rad].
-  double upper_arm_error_median = 0, upper_arm_error_max = 0;
-  /// Maximum over plans with a trajectory [m].
-  double tip_error_max_m = kUnknown;
+  double upper_arm_error_median = 0, upper_arm_error_max = 0;  ///< of the movements' means [rad]
+  double tip_error_max_m = kUnknown;                           ///< over plans with a trajectory
 };
 
 /// A placement with its measures.
 struct PlacementResult {
-  /// The placement as represented in the search.
-  BasePlacement base_placement;
-  /// The placement in the config, rounded as it was planned.
-  map::PlacementOptions placement;
-  /// Measures of the search.
+  BasePlacement base_placement;     ///< the same placement as a pose
+  map::PlacementOptions placement;  ///< as planned, rounded
   PlacementMeasures search_measures;
-  /// The results of full plans.
   PlannedSummary plan_summary;
-  /// Origin of the base relative to the human shoulder [m].
-  Vec3 base = Vec3::Zero();
-  /// Height of the base above the table's top, mean over the movements [m].
-  double height_above_table = kUnknown;
+  Vec3 base = Vec3::Zero();              ///< origin of the base relative to the human shoulder [m]
+  double height_above_table = kUnknown;  ///< of the base, mean over the movements [m]
 };
 
-/// A callback with the current stage and its progress, called from one thread at a time.
-using ProgressCallback = std::function<void(const std::string& what, int done, int of)>;
+/// A callback with the progress of a stage, called from one thread at a time.
+using ProgressCallback = std::function<void(const std::string& stage, int finished, int total)>;
 
 /// Finds placements of the robot's base, each for all movements, the best first:
-///   1. `samples` random placements that satisfy the constraints; the `candidates` with the
-///      smallest share of goals outside the ReachabilityGrid are kept
+///   1. of `samples` random poses that satisfy the constraints, the `candidates` with the smallest
+///      share of goals outside the ReachabilityGrid are kept
 ///   2. these are mapped in one trial, the better third in three, with few frames (score.hpp)
-///   3. the best `refined` distinct ones are improved by a compass search over shift and turn
-///      (refine.hpp) over all trials: all with coarse steps, the better half with fine steps
-///   4. the best `planned` distinct ones are planned in full and sorted by the result
-/// Equal options give equal placements with any number of threads. Throws InputError if no
-/// placement is allowed.
+///   3. the best `refine` dissimilar ones are improved over all trials by a compass search over
+///      shift and turn (refine.hpp): all with coarse steps, the better half with fine steps
+///   4. the best `plan` dissimilar ones are planned in full and sorted by the cost of their plans
+/// Equal arguments give equal placements. Throws InputError if no pose is allowed.
 std::vector<PlacementResult> find_placements(const planning::PlanningInputs& planner,
                                              const std::vector<TrialMovement>& trials,
                                              const PlaceOptions& options,
                                              const ProgressCallback& report);
 
-/// Computes full plans with one placement.
+/// Plans every trial in full with one placement, on `jobs` threads.
 PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
                                     const std::vector<TrialMovement>& trials,
                                     const map::PlacementOptions& placement, int jobs);

@@ -14,42 +14,28 @@ namespace morphe::place {
 ///   wall     horizontal, in any direction
 ///   side     horizontal, to the person's right or left
 enum class MountDirection { any, floor, ceiling, wall, side };
-/// Returns the names of the values.
 constexpr std::array<std::string_view, 5> names_of(MountDirection) {
   return {"any", "floor", "ceiling", "wall", "side"};
 }
 
-/// The parts of the config's placement that are kept in the search.
+/// The parts of the config's placement that the search does not change.
 struct FixedCoordinates {
-  /// Components of `shoulder_offset`.
-  bool x = false, y = false, z = false;
-  /// True if the rotation is kept.
+  bool x = false, y = false, z = false;  ///< components of `shoulder_offset`
   bool rotation = false;
 };
 
 /// The constraints and the effort of `morphe place`.
 struct PlaceOptions {
-  /// The mount of the base.
   MountDirection mount = MountDirection::any;
-  /// Maximum tilt of a mount from its direction [rad].
-  double max_tilt_rad = 0;
-  /// The coordinates that are kept.
+  double max_tilt_rad = 0;  ///< largest angle of the axis to the allowed direction
   FixedCoordinates fixed;
-  /// Minimum distance of the base from the vertical line through the person's middle [m].
-  double person_clearance_m = 0.15;
-  /// Number of placements evaluated by reachability only.
-  int samples = 16000;
-  /// Number of best ones that are mapped in up to three trials with a few frames.
-  int candidates = 600;
-  /// Number of best ones that are improved over all trials.
-  int refine = 16;
-  /// Number of best ones that are planned in full.
-  int plan = 3;
-  /// Maximum number of movements, evenly distributed over the dataset.
-  int movements = 8;
-  /// Number of threads.
-  int jobs = 1;
-  /// The seed of the search.
+  double person_clearance_m = 0.15;  ///< of the base from the vertical line through the person
+  int samples = 16000;               ///< number of poses drawn, of which reachability is evaluated
+  int candidates = 600;              ///< number of best poses that are mapped
+  int refine = 16;                   ///< number of best poses that are improved
+  int plan = 3;                      ///< number of best poses that are planned in full
+  int movements = 8;                 ///< maximum number of trials, evenly spread over the dataset
+  int jobs = 1;                      ///< number of threads
   std::uint64_t seed = 1;
 };
 /// Returns a message about the first invalid value, "" if all values are valid.

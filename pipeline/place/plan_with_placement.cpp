@@ -18,29 +18,28 @@ struct MovementResult {
 };
 
 MovementResult plan_one(const planning::PlanningInputs& planner, const TrialMovement& trial) {
-  planning::StageSeconds ignored;
-  const planning::Reconstruction& rebuilt = *trial.reconstruction;
-  const Plan plan = planning::plan_movement(planner, rebuilt.on_robot_side, rebuilt.motion,
-                                            rebuilt.movements[trial.index], ignored);
-  MovementResult one;
-  one.executable = plan.executable();
-  one.measures.collision_share = 1;
+  const planning::Reconstruction& reconstruction = *trial.reconstruction;
+  const Plan plan =
+      planning::plan_movement(planner, reconstruction.on_robot_side, reconstruction.motion,
+                              reconstruction.movements[trial.index]);
+  MovementResult result;
+  result.executable = plan.executable();
+  result.measures.collision_share = 1;
   if (plan.mapped.position.rows() > 0) {
     const planning::PlacedMovement placed(planner, trial.motion, trial.movement, trial.surroundings,
                                           plan.goals.base_offset.value_or(Vec3::Zero()));
-    one.measures = measure(placed.problem, plan.mapped.position);
-    one.measures.out_of_reach = count_goals(plan.goals).share_out_of_reach();
-    one.measures.collision_share = plan.has_trajectory() ? 0 : 1;
+    result.measures = measure(placed.problem, plan.mapped.position);
+    result.measures.out_of_reach = count_goals(plan.goals).share_out_of_reach();
+    result.measures.collision_share = plan.has_trajectory() ? 0 : 1;
   }
   if (plan.has_trajectory()) {
-    one.measures.penetration_m = 0;
-    one.measures.speed_ratio = plan.certificate.duration_ratio;
-    one.tip_error_max_m = plan.certificate.tip_error_max;
-    if (!std::isnan(plan.certificate.upper_arm_error_mean)) {
-      one.measures.upper_arm_error = plan.certificate.upper_arm_error_mean;
-    }
+    result.measures.penetration_m = 0;
+    result.measures.speed_ratio = plan.certificate.duration_ratio;
+    result.tip_error_max_m = plan.certificate.tip_error_max;
+    if (!std::isnan(plan.certificate.upper_arm_error_mean))
+      result.measures.upper_arm_error = plan.certificate.upper_arm_error_mean;
   }
-  return one;
+  return result;
 }
 
 }  // namespace
@@ -50,37 +49,38 @@ PlacementResult plan_with_placement(const planning::PlanningInputs& planner,
                                     const map::PlacementOptions& placement, int jobs) {
   planning::PipelineConfig config = planner.config;
   config.placement = placement;
-  const planning::PlanningInputs placed{config, planner.robot};
+  const planning::PlanningInputs inputs{config, planner.robot};
   std::vector<PlacementMeasures> all;
   std::vector<double> upper_arm;
-  PlacementResult found;
-  found.placement = placement;
-  found.base_placement = base_placement_of(placement);
+  const int count = static_cast<int>(trials.size());
+  PlacementResult placed;
+  placed.placement = placement;
+  placed.base_placement = base_placement_of(placement);
   parallel::ordered_for_each<MovementResult>(
-      static_cast<int>(trials.size()), jobs,
-      [&](std::uint64_t k) { return plan_one(placed, trials[k]); },
+      count, jobs, [&](std::uint64_t k) { return plan_one(inputs, trials[k]); },
       [&](const MovementResult& one) {
         all.push_back(one.measures);
         upper_arm.push_back(one.measures.upper_arm_error);
-        found.plan_summary.executable += one.executable ? 1 : 0;
-        found.plan_summary.tip_error_max_m =
-            std::fmax(found.plan_summary.tip_error_max_m, one.tip_error_max_m);
+        placed.plan_summary.executable += one.executable ? 1 : 0;
+        placed.plan_summary.tip_error_max_m =
+            std::fmax(placed.plan_summary.tip_error_max_m, one.tip_error_max_m);
       });
-  found.plan_summary.movements = static_cast<int>(trials.size());
-  found.plan_summary.measures = mean_of(all);
-  found.plan_summary.upper_arm_error_median = math::midpoint_median(upper_arm);
-  found.plan_summary.upper_arm_error_max = std::ranges::max(upper_arm);
-  found.base = base_from_human_shoulder(found.base_placement, map::robot_shoulder(planner.robot));
+  placed.plan_summary.movements = count;
+  placed.plan_summary.measures = mean_of(all);
+  placed.plan_summary.upper_arm_error_median = math::midpoint_median(upper_arm);
+  placed.plan_summary.upper_arm_error_max = std::ranges::max(upper_arm);
+  placed.base = base_from_human_shoulder(placed.base_placement, map::robot_shoulder(planner.robot));
   double sum = 0;
   int tables = 0;
   for (const TrialMovement& trial : trials) {
     if (const SceneObject* table = trial.table()) {
-      sum += trial.shoulder.z() + found.base.z() - table->position.front().z() - table->size[2] / 2;
+      sum +=
+          trial.shoulder.z() + placed.base.z() - table->position.front().z() - table->size[2] / 2;
       ++tables;
     }
   }
-  if (tables > 0) found.height_above_table = sum / tables;
-  return found;
+  if (tables > 0) placed.height_above_table = sum / tables;
+  return placed;
 }
 
 }  // namespace morphe::place

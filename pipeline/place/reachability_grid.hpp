@@ -8,39 +8,39 @@
 
 namespace morphe::place {
 
-/// The region that a robot's tips reach, in coordinates about the z axis of its base: the cells of
-/// distance from its shoulder and angle to z that random postures reach, and their neighbours. A
-/// point outside is out of reach (as far as the samples show); a point inside is not necessarily in
-/// reach.
+/// The region in which a robot's tips can be. Its cells have two coordinates: the distance from the
+/// robot's shoulder and the angle to the z axis of its base. The region consists of the cells in
+/// which a tip was in some random posture, and their neighbours. A point outside is out of reach as
+/// far as these postures show; a point inside may be out of reach as well.
 class ReachabilityGrid {
  public:
-  /// Samples random postures of the robot.
+  /// Computes the region from kPostureCount random postures.
   ReachabilityGrid(const robot::Robot& robot, std::uint64_t seed);
-  /// Returns the share [0, 1] of a trial's tip goals outside the region.
-  double share_out_of_reach(const TrialMovement& trial, const BasePlacement& stand) const;
-  const Vec3& shoulder() const { return shoulder_; }  ///< in the base frame [m]
+  /// Returns the share [0, 1] of a trial's tip goals outside the region; 0 without goals.
+  double share_out_of_reach(const TrialMovement& trial, const BasePlacement& pose) const;
+  /// Returns the robot's shoulder in the base frame [m].
+  const Vec3& shoulder() const { return shoulder_; }
 
  private:
-  static constexpr int kDistanceCells = 40, kAngleCells = 18;
-  bool is_reachable(std::size_t tip, const Vec3& from_shoulder) const;
-  std::size_t cell(std::size_t tip, int distance, int angle) const;
+  bool is_reachable(std::ptrdiff_t tip, const Vec3& from_shoulder) const;
+  std::ptrdiff_t cell_index(std::ptrdiff_t tip, int distance, int angle) const;
 
-  std::size_t tips_;
+  std::ptrdiff_t tips_;
   Vec3 shoulder_;
   double cell_size_m_ = 1;
-  /// The reachable cells [tips, distances, angles].
-  std::vector<char> reachable_cells_;
+  std::vector<char> reachable_cells_;  ///< [tips, distances, angles]
 };
 
-/// Returns true if the placement of the base is allowed: in every trial, the origin of its frame
-///   - is not below the table's top (nor less than 5 mm above it) within the outline of the table,
-///   - keeps `person_clearance_m` from the vertical line through the person's middle, 0.2 m to the
-///     left of the right shoulder (to the right of the left one), which is about half a man's
-///     shoulder breadth.
-bool is_base_allowed(const std::vector<TrialMovement>& trials, const BasePlacement& stand,
+/// Returns true if a pose is allowed. In every trial, the origin of the base must
+///   - be at least kTableClearance_m above the table's top if it is within the table's outline
+///   - keep `person_clearance_m` from the vertical line through the person, which is
+///     kHalfShoulderBreadth_m to the left of a right shoulder, or to the right of a left one
+/// `shoulder` is that of the robot in the base frame, and `side` that of its arm.
+bool is_base_allowed(const std::vector<TrialMovement>& trials, const BasePlacement& pose,
                      const Vec3& shoulder, Side side, const PlaceOptions& options);
 
-/// Returns the origin of the base relative to the human shoulder, in world axes [m].
-Vec3 base_from_human_shoulder(const BasePlacement& stand, const Vec3& shoulder);
+/// Returns the base's origin relative to the human shoulder, in world axes [m], for this
+/// `shoulder`.
+Vec3 base_from_human_shoulder(const BasePlacement& pose, const Vec3& shoulder);
 
 }  // namespace morphe::place

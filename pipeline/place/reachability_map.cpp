@@ -7,6 +7,7 @@
 #include "core/files/markup.hpp"
 #include "core/math/seed.hpp"
 #include "core/parallel/for_each.hpp"
+#include "pipeline/place/constants.hpp"
 #include "pipeline/place/reachability_grid.hpp"
 #include "pipeline/place/refine.hpp"
 #include "pipeline/planning/place_movement.hpp"
@@ -14,8 +15,6 @@
 namespace morphe::place {
 namespace {
 
-constexpr int kCellsPerSide = 13;
-constexpr double kCellSize_m = 0.1;
 /// The dimensions of the drawing [m] and [pixels].
 constexpr double kMapLeft_m = -1, kMapNear_m = -1.15, kMapSide_m = 2;
 constexpr double kMapSide_px = 600, kMargin_px = 50, kTitleHeight_px = 60;
@@ -24,44 +23,40 @@ constexpr double kMapSide_px = 600, kMargin_px = 50, kTitleHeight_px = 60;
 
 ReachabilityMap reachability_map(const planning::PlanningInputs& planner,
                                  const std::vector<TrialMovement>& trials,
-                                 const PlacementResult& found, const PlaceOptions& options,
+                                 const PlacementResult& placed, const PlaceOptions& options,
                                  const ProgressCallback& report) {
-  constexpr std::size_t kMaxTrials = 3;
   std::vector<const TrialMovement*> few;
-  for (const std::size_t k : planning::evenly_spaced_frames(trials.size(), kMaxTrials))
+  for (const std::size_t k : planning::evenly_spaced_indices(trials.size(), kMapTrialCount))
     few.push_back(&trials[k]);
   ReachabilityMap map;
-  map.stand = found.base_placement;
-  map.base = found.base;
-  for (int k = 0; k < kCellsPerSide; ++k) {
-    map.right.push_back(kMinShoulderOffset_m.x() + kCellSize_m * k);
-    map.forward.push_back(kMinShoulderOffset_m.y() + kCellSize_m * k);
+  map.pose = placed.base_placement;
+  map.base = placed.base;
+  for (int k = 0; k < kMapCellsPerSide; ++k) {
+    map.right.push_back(kMinShoulderOffset_m.x() + kMapCellSize_m * k);
+    map.forward.push_back(kMinShoulderOffset_m.y() + kMapCellSize_m * k);
   }
-  const std::size_t side = map.right.size();
-  map.reachable_share.assign(side, std::vector<double>(side, kUnknown));
+  constexpr int kSide = kMapCellsPerSide, kCells = kSide * kSide;
+  map.reachable_share.assign(kSide, std::vector<double>(kSide, kUnknown));
   const Vec3 shoulder = map::robot_shoulder(planner.robot);
-  int done = 0;
+  int cells = 0;
   parallel::ordered_for_each<double>(
-      static_cast<int>(side * side), options.jobs,
+      kCells, options.jobs,
       [&](std::uint64_t cell) {
-        BasePlacement stand = map.stand;
-        stand.shoulder_offset.x() = map.right[cell % side];
-        stand.shoulder_offset.y() = map.forward[cell / side];
-        if (!is_base_allowed(trials, stand, shoulder, planner.robot.side, options)) return kUnknown;
-        const Candidate tried = evaluate_placement(planner, stand, few, {6, 2, 4},
-                                                   math::seed_from(options.seed, "map", cell));
-        return 1 - tried.measures.out_of_reach;
+        BasePlacement pose = map.pose;
+        pose.shoulder_offset.x() = map.right[cell % kSide];
+        pose.shoulder_offset.y() = map.forward[cell / kSide];
+        if (!is_base_allowed(trials, pose, shoulder, planner.robot.side, options)) return kUnknown;
+        const Candidate evaluated = evaluate_placement(planner, pose, few, kMapEffort,
+                                                       math::seed_from(options.seed, "map", cell));
+        return 1 - evaluated.measures.out_of_reach;
       },
-      [&](const double& met) {
-        const auto cell = static_cast<std::size_t>(done);
-        map.reachable_share[cell / side][cell % side] = met;
-        report("map", ++done, static_cast<int>(side * side));
+      [&](const double& share) {
+        map.reachable_share[cells / kSide][cells % kSide] = share;
+        report("map", ++cells, kCells);
       });
-  for (const TrialMovement* trial : few) {
-    for (const Vec3& goal : trial->goals) {
+  for (const TrialMovement* trial : few)
+    for (const Vec3& goal : trial->goals)
       if (is_known(goal)) map.goals.push_back(goal - trial->shoulder);
-    }
-  }
   return map;
 }
 
@@ -80,28 +75,29 @@ std::string svg_of(const ReachabilityMap& map) {
       "{1:.0f} mm above the human's shoulder</text>\n"
       "<text x=\"{0:.0f}\" y=\"50\">Blue: the robot's shoulder; black ring: its base; blue ring: "
       "the human's shoulder; grey: fingertip goals</text>\n",
-      kMargin_px, 1e3 * map.stand.shoulder_offset.z());
-  for (std::size_t row = 0; row < map.forward.size(); ++row) {
-    for (std::size_t col = 0; col < map.right.size(); ++col) {
-      const double met = map.reachable_share[row][col];
-      if (std::isnan(met)) continue;
-      const double left = x(map.right[col] - kCellSize_m / 2),
-                   top = y(map.forward[row] + kCellSize_m / 2);
+      kMargin_px, 1e3 * map.pose.shoulder_offset.z());
+  for (int row = 0; row < std::ssize(map.forward); ++row) {
+    for (int col = 0; col < std::ssize(map.right); ++col) {
+      const double share = map.reachable_share[row][col];
+      if (std::isnan(share)) continue;
+      const double left = x(map.right[col] - kMapCellSize_m / 2),
+                   top = y(map.forward[row] + kMapCellSize_m / 2);
       svg += fmt::format(
           "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" "
           "fill=\"hsl({:.0f},60%,70%)\"><title>{:.0f} %</title></rect>\n",
-          left, top, scale * kCellSize_m, scale * kCellSize_m, 120 * met * met, 100 * met);
+          left, top, scale * kMapCellSize_m, scale * kMapCellSize_m, 120 * share * share,
+          100 * share);
     }
   }
-  for (std::size_t k = 0; k < map.right.size(); k += 2) {
+  for (int k = 0; k < std::ssize(map.right); k += 2) {
     svg += fmt::format(
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\">{:.0f}</text>\n"
         "<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"end\">{:.0f}</text>\n",
         x(map.right[k]), kTitleHeight_px + kMapSide_px + 18, 1e3 * map.right[k], kMargin_px - 6,
         y(map.forward[k]) + 4, 1e3 * map.forward[k]);
   }
-  const auto mark = [&](const Vec3& at, double radius, const char* style, const char* name) {
-    const double px = x(at.x()), py = y(at.y());
+  const auto mark = [&](const Vec3& point, double radius, const char* style, const char* name) {
+    const double px = x(point.x()), py = y(point.y());
     if (px < kMargin_px || px > kMargin_px + kMapSide_px || py < kTitleHeight_px ||
         py > kTitleHeight_px + kMapSide_px)
       return;
@@ -111,7 +107,7 @@ std::string svg_of(const ReachabilityMap& map) {
   };
   for (const Vec3& goal : map.goals) mark(goal, 2, "fill=\"#555\"", "goal");
   mark(Vec3::Zero(), 6, "fill=\"none\" stroke=\"#06c\" stroke-width=\"2\"", "human shoulder");
-  mark(map.stand.shoulder_offset, 6, "fill=\"#06c\"", "robot shoulder");
+  mark(map.pose.shoulder_offset, 6, "fill=\"#06c\"", "robot shoulder");
   mark(map.base, 6, "fill=\"none\" stroke=\"#222\" stroke-width=\"2\"", "base");
   return svg + "</svg>\n";
 }

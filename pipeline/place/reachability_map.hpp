@@ -6,30 +6,22 @@
 
 namespace morphe::place {
 
-/// The share of goals in reach for a placement and for the same placement shifted horizontally.
+/// The shares of fingertip goals in reach, for a pose shifted horizontally to the nodes of a grid.
 struct ReachabilityMap {
-  /// The placement that is shifted.
-  BasePlacement stand;
-  /// Shoulder offsets [m].
-  std::vector<double> right, forward;
-  /// [forward][right] share of tip goals in reach, NaN if not allowed.
-  std::vector<std::vector<double>> reachable_share;
-  /// Origin of the base relative to the human shoulder [m].
-  Vec3 base;
-  /// Tip goals relative to the human shoulder [m].
-  std::vector<Vec3> goals;
+  BasePlacement pose;                                ///< before it is shifted
+  std::vector<double> right, forward;                ///< shoulder offsets [m]
+  std::vector<std::vector<double>> reachable_share;  ///< [forward][right], NaN if not allowed
+  Vec3 base;                ///< origin of the base of `pose` relative to the human shoulder [m]
+  std::vector<Vec3> goals;  ///< of the tips, relative to the human shoulder [m]
 };
 
-/// Computes a map of 13 x 13 offsets in steps of 100 mm over the box of the search, with the height
-/// and rotation of a placement, over at most three trials. They are mapped with few frames; a goal
-/// within 2 mm is in reach.
+/// Evaluates all offsets of the grid in a few trials, with height and rotation of a placement.
 ReachabilityMap reachability_map(const planning::PlanningInputs& planner,
                                  const std::vector<TrialMovement>& trials,
-                                 const PlacementResult& found, const PlaceOptions& options,
+                                 const PlacementResult& placed, const PlaceOptions& options,
                                  const ProgressCallback& report);
 
-/// Draws the map in plan view, with the person's right to the right and forward up: cells from red
-/// (no goal in reach) to green (all), person, base and goals. Equal maps give equal texts.
+/// Draws the map in plan view, forward up: cells from red (no goal in reach) to green, base, goals.
 std::string svg_of(const ReachabilityMap& map);
 
 }  // namespace morphe::place

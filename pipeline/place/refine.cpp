@@ -7,60 +7,55 @@
 
 namespace morphe::place {
 namespace {
-
-const SearchEffort kRefinementEffort{10, 2, 6};
-
-/// A placement with the postures from which its cost was computed.
 struct EvaluatedPlacement {
   Candidate candidate;
   std::vector<JointRows> q;  ///< [trials]
 };
 
-EvaluatedPlacement evaluate(const BasePlacement& stand, std::vector<TrialMapping> tried) {
-  EvaluatedPlacement visit;
+EvaluatedPlacement evaluate(const BasePlacement& pose, std::vector<TrialMapping> mappings) {
+  EvaluatedPlacement evaluated;
   std::vector<PlacementMeasures> all;
-  for (TrialMapping& one : tried) {
-    all.push_back(one.measures);
-    visit.q.push_back(std::move(one.q));
+  for (TrialMapping& mapping : mappings) {
+    all.push_back(mapping.measures);
+    evaluated.q.push_back(std::move(mapping.q));
   }
   const PlacementMeasures mean = mean_of(all);
-  visit.candidate = {stand, mean, cost_of(mean)};
-  return visit;
+  evaluated.candidate = {pose, mean, cost_of(mean)};
+  return evaluated;
 }
 
 EvaluatedPlacement map_all_from_random(const planning::PlanningInputs& planner,
-                                       const BasePlacement& stand,
-                                       const std::vector<TrialMovement>& trials,
-                                       std::uint64_t seed) {
-  std::vector<TrialMapping> tried;
-  for (std::size_t k = 0; k < trials.size(); ++k) {
-    tried.push_back(map_from_random_starts(planner, stand, trials[k], kRefinementEffort,
-                                           math::seed_from(seed, "trial", k)));
-  }
-  return evaluate(stand, std::move(tried));
+                                       const BasePlacement& pose,
+                                       const std::vector<const TrialMovement*>& trials,
+                                       const SearchEffort& effort, std::uint64_t seed) {
+  std::vector<TrialMapping> mappings;
+  for (int k = 0; k < std::ssize(trials); ++k)
+    mappings.push_back(map_from_random_starts(planner, pose, *trials[k], effort,
+                                              math::seed_from(seed, "trial", k)));
+  return evaluate(pose, std::move(mappings));
 }
 
 EvaluatedPlacement map_all_from_warm(const planning::PlanningInputs& planner,
-                                     const BasePlacement& stand,
+                                     const BasePlacement& pose,
                                      const std::vector<TrialMovement>& trials,
-                                     const EvaluatedPlacement& from) {
-  std::vector<TrialMapping> tried;
-  for (std::size_t k = 0; k < trials.size(); ++k) {
-    tried.push_back(map_from_warm_start(planner, stand, trials[k], kRefinementEffort, from.q[k]));
-  }
-  return evaluate(stand, std::move(tried));
+                                     const EvaluatedPlacement& warm_start) {
+  std::vector<TrialMapping> mappings;
+  for (int k = 0; k < std::ssize(trials); ++k)
+    mappings.push_back(
+        map_from_warm_start(planner, pose, trials[k], kRefinementEffort, warm_start.q[k]));
+  return evaluate(pose, std::move(mappings));
 }
 
-/// Applies a step in one of six directions: shifts, then turns about the world's axes through the
-/// shoulder.
-BasePlacement take_step(const BasePlacement& stand, int way, double shift_m, double turn_rad) {
-  BasePlacement next = stand;
-  const Vec3 axis = Vec3::Unit(way % 3);
-  if (way < 3) {
+/// Returns the pose after a step: a shift along the world's axis 0 … 2, or a turn about it for 3
+/// … 5.
+BasePlacement take_step(const BasePlacement& pose, int direction, double shift_m, double turn_rad) {
+  BasePlacement next = pose;
+  const Vec3 axis = Vec3::Unit(direction % 3);
+  if (direction < 3) {
     next.shoulder_offset += shift_m * axis;
   } else {
     next.world_from_base =
-        (Quat(Eigen::AngleAxisd(turn_rad, axis)) * stand.world_from_base).normalized();
+        (Quat(Eigen::AngleAxisd(turn_rad, axis)) * pose.world_from_base).normalized();
   }
   return next;
 }
@@ -72,49 +67,43 @@ bool is_same_placement(const BasePlacement& a, const BasePlacement& b) {
 
 }  // namespace
 
-Candidate evaluate_placement(const planning::PlanningInputs& planner, const BasePlacement& stand,
+Candidate evaluate_placement(const planning::PlanningInputs& planner, const BasePlacement& pose,
                              const std::vector<const TrialMovement*>& trials,
                              const SearchEffort& effort, std::uint64_t seed) {
-  std::vector<PlacementMeasures> all;
-  for (std::size_t k = 0; k < trials.size(); ++k) {
-    all.push_back(map_from_random_starts(planner, stand, *trials[k], effort,
-                                         math::seed_from(seed, "trial", k))
-                      .measures);
-  }
-  const PlacementMeasures mean = mean_of(all);
-  return {stand, mean, cost_of(mean)};
+  return map_all_from_random(planner, pose, trials, effort, seed).candidate;
 }
 
 Candidate refine(const planning::PlanningInputs& planner, const BasePlacement& start,
                  const CompassSteps& steps, const BasePlacement& configured,
                  const std::vector<TrialMovement>& trials, const Vec3& robot_shoulder,
                  const PlaceOptions& options, std::uint64_t seed) {
-  constexpr int kMaxRounds = 4;
-  constexpr double kMinGain_deg = 0.02;  // smaller gains are ignored
+  std::vector<const TrialMovement*> all;
+  for (const TrialMovement& trial : trials) all.push_back(&trial);
+  const auto map_all = [&](const BasePlacement& pose, std::uint64_t level_seed) {
+    return map_all_from_random(planner, pose, all, kRefinementEffort, level_seed);
+  };
   double shift_m = steps.shift_m, turn_rad = steps.turn_rad;
-  EvaluatedPlacement best = map_all_from_random(planner, start, trials, seed);
+  EvaluatedPlacement best = map_all(start, seed);
   for (int level = 0; level < steps.levels; ++level, shift_m /= 2, turn_rad /= 2) {
     if (level > 0) {
-      const std::uint64_t again = math::seed_from(seed, "again", level);
-      EvaluatedPlacement anew = map_all_from_random(planner, best.candidate.stand, trials, again);
+      EvaluatedPlacement anew = map_all(best.candidate.pose, math::seed_from(seed, "again", level));
       if (anew.candidate.cost < best.candidate.cost) best = std::move(anew);
     }
-    bool gained = true;
-    for (int round = 0; gained && round < kMaxRounds; ++round) {
-      gained = false;
-      for (int way = 0; way < 6; ++way) {
+    bool improved = true;
+    for (int round = 0; improved && round < kMaxRounds; ++round) {
+      improved = false;
+      for (int direction = 0; direction < 6; ++direction) {
         for (const double sign : {1.0, -1.0}) {
           const BasePlacement next = project_to_constraints(
-              take_step(best.candidate.stand, way, sign * shift_m, sign * turn_rad), configured,
-              options);
-          if (is_same_placement(next, best.candidate.stand) ||
-              !is_base_allowed(trials, next, robot_shoulder, planner.robot.side, options)) {
+              take_step(best.candidate.pose, direction, sign * shift_m, sign * turn_rad),
+              configured, options);
+          if (is_same_placement(next, best.candidate.pose) ||
+              !is_base_allowed(trials, next, robot_shoulder, planner.robot.side, options))
             continue;
-          }
-          EvaluatedPlacement there = map_all_from_warm(planner, next, trials, best);
-          if (there.candidate.cost > best.candidate.cost - kMinGain_deg) continue;
-          best = std::move(there);
-          gained = true;
+          EvaluatedPlacement evaluated = map_all_from_warm(planner, next, trials, best);
+          if (evaluated.candidate.cost > best.candidate.cost - kMinGain_deg) continue;
+          best = std::move(evaluated);
+          improved = true;
           break;
         }
       }

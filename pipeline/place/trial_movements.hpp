@@ -10,36 +10,26 @@
 
 namespace morphe::place {
 
-/// A movement on which placements are evaluated: reconstructed and segmented once, with its
-/// surroundings.
+/// A movement on which poses of the base are evaluated, independent of these poses.
 struct TrialMovement {
-  /// Reconstruction of its demonstration.
-  std::shared_ptr<const planning::Reconstruction> reconstruction;
-  /// Index of the movement.
-  std::size_t index = 0;
-  /// Motion as it is to be planned.
-  HumanMotion motion;
-  /// The movement.
+  std::shared_ptr<const planning::Reconstruction> reconstruction;  ///< the whole demonstration
+  int index = 0;       ///< of the movement in the reconstruction
+  HumanMotion motion;  ///< as planned: adapted to a moved target
   Movement movement;
-  /// The surroundings in the world frame.
-  Scene surroundings;
-  /// Human shoulder at the beginning of the movement [m].
-  Vec3 shoulder;
-  /// [few * tips] tip goals in the world frame, NaN if there is no goal.
-  std::vector<Vec3> goals;
-  /// Returns the table, null if there is no table.
+  Scene surroundings;       ///< in the world frame
+  Vec3 shoulder;            ///< human shoulder at the beginning of the movement [m]
+  std::vector<Vec3> goals;  ///< [frames * tips] of some frames, in the world, NaN if unknown
+  /// Returns the table, or null.
   const SceneObject* table() const { return find_object(surroundings.objects, "table"); }
 };
 
-/// Makes a trial from a movement. Returns an empty value if it has no shoulder, no tip goal, or
-/// fewer than five frames.
+/// Makes a trial; nullopt without a shoulder, without tip goals or with fewer than kMinTrialFrames.
 std::optional<TrialMovement> make_trial(
     const planning::PlanningInputs& planner,
-    const std::shared_ptr<const planning::Reconstruction>& rebuilt, std::size_t index);
+    const std::shared_ptr<const planning::Reconstruction>& reconstruction, int index);
 
-/// Selects at most `options.trials` movements, evenly distributed, from the movements of the
-/// demonstrations that have a shoulder and tip goals. Throws InputError if there is no such
-/// movement, or if the robot is a hand alone.
+/// Returns at most `options.movements` trials, evenly spread over the dataset. Throws InputError if
+/// there is no trial, and for a hand without an arm.
 std::vector<TrialMovement> make_trials(const planning::PlanningInputs& planner,
                                        const std::vector<Demonstration>& demonstrations,
                                        const PlaceOptions& options);

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "core/math/seed.hpp"
+#include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/planner.hpp"
+#include "pipeline/planning/smoothing_fallback.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/repair/repair_strategy.hpp"
 #include "stages/repair/transit.hpp"
@@ -13,19 +15,16 @@
 namespace morphe::planning {
 namespace {
 
-/// Tolerance between an end of the motion and the adjacent motion or the home posture [rad, m].
-constexpr double kEndTolerance = 1e-6;
-
 double end_error(const JointPath& path, const Trajectory& trajectory) {
-  const auto off = [](const auto& own, const auto& asked) {
-    return (own - asked).cwiseAbs().maxCoeff();
+  const auto difference = [](const auto& reached, const auto& wanted) {
+    return (reached - wanted).cwiseAbs().maxCoeff();
   };
-  return std::max(off(trajectory.position.topRows(1), path.position.topRows(1)),
-                  off(trajectory.position.bottomRows(1), path.position.bottomRows(1)));
+  return std::max(difference(trajectory.position.topRows(1), path.position.topRows(1)),
+                  difference(trajectory.position.bottomRows(1), path.position.bottomRows(1)));
 }
 
-/// Computes the time parametrisation and certifies it; smoothing is disabled if it causes a
-/// collision or misses an end (if a joint leaves its limit at once).
+/// Sets `trajectory` to the fastest motion along the path, at the demonstration time `time_s`, and
+/// certifies it. Smoothing is disabled if it causes a collision or misses an end.
 PlanningFailure time_and_certify(const PlanningInputs& planner,
                                  const collision::CollisionWorld& world, const JointPath& path,
                                  const ApproachOptions& options, double time_s,
@@ -35,29 +34,28 @@ PlanningFailure time_and_certify(const PlanningInputs& planner,
   time_law.duration_s.reset();
   time_law.phase_speed.clear();
   time_law.limit_scaling *= options.limit_scaling;
-  while (true) {
+  const auto attempt = [&](const retime::RetimeOptions& smoothing) -> PlanningFailure {
     Outcome<retime::RetimeResult> retimed =
-        retime::retime(planner.robot, path, Movement{}, time_law);
+        retime::retime(planner.robot, path, Movement{}, smoothing);
     if (retimed.failure) return retimed.failure;
     trajectory = std::move(retimed.value.trajectory);
-    // The demonstration time stands still, so that contact is judged by that moment.
+    // The demonstration time stands still, so that contacts are permitted as at that moment.
     std::ranges::fill(trajectory.demonstration_time, time_s);
     std::ranges::fill(trajectory.phase, PhaseKind::rest);
-    PlanningFailure failure = certify::certify_motion(world, trajectory).failure;
-    if (const double off = end_error(path, trajectory); !failure && !(off <= kEndTolerance))
-      failure = {Reason::smoothing_collision,
-                 fmt::format("the smoothed curve misses an endpoint by {:.2g} rad or m", off)};
-    const bool smoothed = time_law.tip_tolerance + time_law.joint_tolerance > 0;
-    if (failure.reason != Reason::smoothing_collision || !smoothed) return failure;
-    time_law.tip_tolerance = time_law.joint_tolerance = 0;
-  }
+    const PlanningFailure failure = certify::certify_motion(world, trajectory).failure;
+    const double error = end_error(path, trajectory);
+    if (failure || error <= kEndTolerance) return failure;
+    return {Reason::smoothing_collision,
+            fmt::format("the smoothed curve misses an endpoint by {:.2g} rad or m", error)};
+  };
+  return retry_without_smoothing(time_law, {Reason::smoothing_collision}, attempt);
 }
 
 std::string sentence(const PlanningFailure& failure) {
   return fmt::format("{}: {}", name_of(failure.reason), failure.detail);
 }
 
-/// Returns the reason for which there is no path between two postures.
+/// Returns why there is no path between two postures: one of them collides, or the search failed.
 std::string no_path_reason(const collision::CollisionWorld& world, const JointVector& from,
                            const JointVector& to, double time_s,
                            const repair::RepairOptions& repair) {
@@ -72,9 +70,8 @@ std::string no_path_reason(const collision::CollisionWorld& world, const JointVe
   return repair::no_path_message(repair);
 }
 
-/// Returns the plan's own motion followed by its approach, both reversed.
+/// Returns a plan's reversed motion and reversed approach. The times only order the samples.
 JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) {
-  constexpr Eigen::Index kReverseSampleStride = 5;
   std::vector<JointVector> rows;
   for (Eigen::Index k = trajectory.position.rows() - 1; k > 0; k -= kReverseSampleStride) {
     rows.push_back(trajectory.position.row(k).transpose());
@@ -82,14 +79,14 @@ JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) 
   for (Eigen::Index k = approach.position.rows() - 1; k >= 0; --k) {
     rows.push_back(approach.position.row(k).transpose());
   }
-  JointPath back;
-  back.position.resize(rows.size(), trajectory.position.cols());
-  back.origin.assign(rows.size(), SampleOrigin::planned);
+  JointPath reversed;
+  reversed.position.resize(rows.size(), trajectory.position.cols());
+  reversed.origin.assign(rows.size(), SampleOrigin::planned);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    back.position.row(k) = rows[k].transpose();
-    back.demonstration_time.push_back(0.01 * static_cast<double>(k));
+    reversed.position.row(k) = rows[k].transpose();
+    reversed.demonstration_time.push_back(0.01 * static_cast<double>(k));
   }
-  return back;
+  return reversed;
 }
 
 }  // namespace
@@ -117,18 +114,19 @@ PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOption
   collision::CollisionWorld world = collision::make_world(
       planner.robot, plan.scene, plan.movement, plan.tolerances, planner.config.scene.meshes);
   collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
-  const Trajectory& way = plan.trajectory;
-  const double begin_s = way.demonstration_time.front(), end_s = way.demonstration_time.back();
-  const JointVector first = way.position.row(0).transpose();
-  const JointVector last = way.position.row(way.position.rows() - 1).transpose();
+  const Trajectory& motion = plan.trajectory;
+  const double begin_s = motion.demonstration_time.front(),
+               end_s = motion.demonstration_time.back();
+  const JointVector first = motion.position.row(0).transpose();
+  const JointVector last = motion.position.row(motion.position.rows() - 1).transpose();
 
-  const JointPath there =
+  const JointPath approach_path =
       repair::plan_transit(world, home, first, begin_s, repair, math::seed_from(seed, "approach"));
-  if (there.position.rows() == 0) {
+  if (approach_path.position.rows() == 0) {
     return {Reason::no_approach, no_path_reason(world, home, first, begin_s, repair)};
   }
   if (const PlanningFailure refused =
-          time_and_certify(planner, world, there, options, begin_s, plan.approach)) {
+          time_and_certify(planner, world, approach_path, options, begin_s, plan.approach)) {
     return {Reason::no_approach, sentence(refused)};
   }
   if (!options.retreat) return {};
@@ -136,14 +134,14 @@ PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOption
   if (collision::target_state_at(world, end_s) == collision::TargetState::attached) {
     return {Reason::no_retreat, "the target is still in the hand at the end"};
   }
-  const JointPath back =
+  const JointPath retreat_path =
       repair::plan_transit(world, last, home, end_s, repair, math::seed_from(seed, "retreat"));
-  const bool found = back.position.rows() > 0;
+  const bool found = retreat_path.position.rows() > 0;
   PlanningFailure refused;
-  if (found) refused = time_and_certify(planner, world, back, options, end_s, plan.retreat);
+  if (found) refused = time_and_certify(planner, world, retreat_path, options, end_s, plan.retreat);
   if (!found || refused) {
-    refused =
-        time_and_certify(planner, world, reverse_path(way, there), options, end_s, plan.retreat);
+    refused = time_and_certify(planner, world, reverse_path(motion, approach_path), options, end_s,
+                               plan.retreat);
   }
   if (!refused) return {};
   return {Reason::no_retreat,

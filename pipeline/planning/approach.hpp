@@ -9,15 +9,14 @@
 
 namespace morphe::planning {
 
-/// Returns the home posture of all joints. The joints named in the options must be the robot's.
+/// Returns the home posture, moved into the limits. The joints in `options` must be the robot's.
 JointVector home_posture(const RobotModel& robot, const ApproachOptions& options);
 
-/// Plans, times and certifies the approach of an executable plan from home to its first sample, and
-/// the retreat from its last one, in the plan's scene as it is at these times. Refuses with
-/// no_approach or no_retreat if there is no such path. The retreat starts by releasing: objects
-/// that the hand touches may be touched on the way; if no other path is found, the retreat reverses
-/// the plan's motion. If the target is attached at the end there is no retreat, because it would
-/// have to be carried home.
+/// Adds to an executable plan its approach, from home to the first sample, and its retreat, from
+/// the last sample to home. Each is planned, timed and certified in the scene at that sample. The
+/// retreat may touch objects that the hand touches at its start; if no other is found, it is the
+/// plan's motion and its approach, reversed. Refuses with no_approach or no_retreat; with
+/// no_retreat also if the target is attached at the end, because it would have to be carried home.
 PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOptions& options,
                              std::uint64_t seed, Plan& plan);
 

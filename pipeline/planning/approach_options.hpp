@@ -13,9 +13,9 @@ struct ApproachOptions {
     std::string joint;
     double value = 0;  ///< [rad]
   };
-  std::vector<Joint> home;     ///< joints that are not listed are at 0, or at their nearest limit
-  double limit_scaling = 0.5;  ///< share of the velocity, acceleration and jerk limits
-  bool retreat = true;         ///< true to plan a retreat, too
+  std::vector<Joint> home;     ///< joints not listed are at 0, or at the limit nearest to 0
+  double limit_scaling = 0.5;  ///< factor on the velocity, acceleration and jerk limits
+  bool retreat = true;         ///< true if a retreat is planned too
 };
 template <class Fields>
 void fields(Fields& f, ApproachOptions::Joint& o) {

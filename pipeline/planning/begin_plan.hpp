@@ -6,11 +6,11 @@
 
 namespace morphe::planning {
 
-/// Returns a plan that only identifies its demonstration and movement.
+/// Returns a plan that contains only its demonstration's names, its movement and its tolerances.
 Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
                 const Tolerances& tolerances);
 
-/// Returns the plan as a failed one, with its reason and without a trajectory.
+/// Returns the plan as a failed one: with the reason, without trajectory, approach and retreat.
 Plan fail(Plan plan, PlanningFailure failure);
 
 }  // namespace morphe::planning

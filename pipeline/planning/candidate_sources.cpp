@@ -24,39 +24,39 @@ std::optional<JointPath> path_of(const map::MappingProblem& problem, JointRows q
 
 repair::NextCandidate candidates_through_postures(const map::MappingProblem& whole,
                                                   const map::MapOptions& options,
-                                                  const std::vector<FeasiblePosture>& holds) {
+                                                  const std::vector<FeasiblePosture>& postures) {
   return [&, next = std::size_t{0}](bool) mutable -> std::optional<JointPath> {
-    if (next == holds.size()) return std::nullopt;
-    const FeasiblePosture& hold = holds[next++];
+    if (next == postures.size()) return std::nullopt;
+    const FeasiblePosture& posture = postures[next++];
     const map::MappingProblem problem = with_full_scene_clearance(whole);
-    return path_of(problem, map::path_through(problem, hold.frame, hold.q, options).q);
+    return path_of(problem, map::path_through(problem, posture.frame, posture.q, options).q);
   };
 }
 
 repair::NextCandidate mapping_candidates(const map::MappingProblem& whole,
-                                         const std::vector<JointRows>& courses) {
+                                         const std::vector<JointRows>& kept_paths) {
   return [&, next = std::size_t{0}](bool) mutable -> std::optional<JointPath> {
-    if (next == courses.size()) return std::nullopt;
-    return path_of(whole, courses[next++]);
+    if (next == kept_paths.size()) return std::nullopt;
+    return path_of(whole, kept_paths[next++]);
   };
 }
 
 repair::NextCandidate searched_candidates(const map::MappingProblem& whole,
                                           const map::MapOptions& options, int searches,
                                           std::uint64_t seed) {
-  return [&, seed, searches, searched = 0, came_nearer = true, next = std::size_t{0},
-          courses =
-              std::vector<map::CandidatePath>()](bool nearer) mutable -> std::optional<JointPath> {
-    came_nearer = came_nearer || nearer;
+  return [&, seed, searches, search_count = 0, search_improved = true, next = std::size_t{0},
+          paths = std::vector<map::CandidatePath>()](
+             bool improved) mutable -> std::optional<JointPath> {
+    search_improved = search_improved || improved;
     const map::MappingProblem problem = with_full_scene_clearance(whole);
-    if (next == courses.size()) {
-      if (searched == searches || !came_nearer) return std::nullopt;
-      came_nearer = false;
-      const auto number = static_cast<std::size_t>(++searched);
-      courses = map::search_movement(problem, options, math::seed_from(seed, "search", number));
+    if (next == paths.size()) {
+      if (search_count == searches || !search_improved) return std::nullopt;
+      search_improved = false;
+      const auto number = static_cast<std::size_t>(++search_count);
+      paths = map::search_movement(problem, options, math::seed_from(seed, "search", number));
       next = 0;
     }
-    return path_of(problem, map::smooth_movement(problem, courses[next++].q, options).q);
+    return path_of(problem, map::smooth_movement(problem, paths[next++].q, options).q);
   };
 }
 

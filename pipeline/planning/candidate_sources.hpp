@@ -10,21 +10,21 @@
 
 namespace morphe::planning {
 
-// The sources of candidate paths for a movement, the best of each kind first. `whole` is the
-// mapping problem with the whole scene; arguments passed by reference must outlive the result.
+// The sources of candidate paths for a movement. Each returns its candidates in order, the most
+// promising first. `whole` is the mapping problem with the whole scene. Arguments passed by
+// reference must outlive the result.
 
-/// Generates candidates that pass through postures which satisfy the goals at which the path
-/// failed.
+/// Generates a candidate through each posture. Postures may be added until all are used.
 repair::NextCandidate candidates_through_postures(const map::MappingProblem& whole,
                                                   const map::MapOptions& options,
-                                                  const std::vector<FeasiblePosture>& holds);
+                                                  const std::vector<FeasiblePosture>& postures);
 
-/// Generates the candidates kept by the mapping.
+/// Generates the candidates that the mapping has kept, unchanged: joint positions [frames, n].
 repair::NextCandidate mapping_candidates(const map::MappingProblem& whole,
-                                         const std::vector<JointRows>& courses);
+                                         const std::vector<JointRows>& kept_paths);
 
-/// Generates candidates by new searches with the whole scene. A search runs when its first
-/// candidate is requested; the searches end if no candidate of one was an improvement.
+/// Generates candidates by at most `searches` new mapping searches. A search runs when its first
+/// candidate is requested, and only if the search before it has led to an improvement.
 repair::NextCandidate searched_candidates(const map::MappingProblem& whole,
                                           const map::MapOptions& options, int searches,
                                           std::uint64_t seed);

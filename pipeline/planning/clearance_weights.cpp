@@ -3,10 +3,10 @@
 namespace morphe::planning {
 
 map::MappingProblem with_clearance_weights(map::MappingProblem problem,
-                                           const ClearanceWeights& firmness) {
-  problem.clearance.weight *= firmness.clearance;
-  problem.clearance.activation_distance_m *= firmness.band_scale;
-  problem.objective.get<humanlike::TipPosition>().weight *= firmness.tips;
+                                           const ClearanceWeights& factors) {
+  problem.clearance.weight *= factors.clearance;
+  problem.clearance.activation_distance_m *= factors.band_scale;
+  problem.objective.get<humanlike::TipPosition>().weight *= factors.tips;
   return problem;
 }
 

@@ -4,19 +4,17 @@
 
 namespace morphe::planning {
 
-/// The weights of clearance and tips in a re-solve, relative to those of the mapping.
+/// The factors by which a re-solve changes the mapping's terms for clearance and tip positions.
 struct ClearanceWeights {
-  double clearance = 1;  ///< weight of the clearance term
-  /// scale of the clearance band; below 1, only freedom from collision is required
+  double clearance = 1;  ///< factor on the weight of the clearance term
+  /// factor on the distance at which the clearance term begins; below 1, little more than freedom
+  /// from collision is asked for
   double band_scale = 1;
-  double tips = 1;  ///< weight of the tip positions
+  double tips = 1;  ///< factor on the weight of the tip positions
 };
 
-/// Weights with which tips and clearance alone determine the result, to a tenth of a millimetre.
-constexpr ClearanceWeights kStrongestWeights{30000, 0.2, 30};
-
-/// Returns the mapping problem with modified weights.
+/// Returns the mapping problem with its terms changed by these factors.
 map::MappingProblem with_clearance_weights(map::MappingProblem problem,
-                                           const ClearanceWeights& firmness);
+                                           const ClearanceWeights& factors);
 
 }  // namespace morphe::planning

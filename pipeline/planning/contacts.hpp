@@ -10,35 +10,40 @@
 
 namespace morphe::planning {
 
-/// The desired contacts of a plan, and notes about them.
+/// The desired contacts of a plan.
 struct Contacts {
   std::vector<grasp::DesiredContact> contacts;
-  std::vector<std::string> notes;  ///< one sentence each
+  std::vector<std::string> notes;  ///< one sentence each, such as a reason without contacts
 };
 
-/// Returns the contacts of the person with the target of a plan whose path follows the tips; if
-/// there are none although there is a target, the notes contain the reason.
-Contacts desired_contacts(const PlanningInputs& planner, const collision::CollisionWorld& world,
-                          const Plan& plan);
+/// A plan whose pads touch the target, and its contacts.
+struct ContactPlan {
+  Plan plan;
+  Contacts contacts;
+};
 
-/// Plans contacts of the pads with the target instead of tips near it. The goals become those of
-/// the pads, the other fingers close, and the path is optimised locally in the whole scene; if it
-/// is nearly free afterwards, it is solved again with high weights. A pad that does not reach its
-/// contact point may touch beside it; the goals of tips that obstruct without touching are kept
-/// outside of the target; fingers that still obstruct lose their contacts. Without contacts the
-/// tips are only kept out of the target, as far as `world` requires it. There is no global search,
-/// because the goals of pads are close to those of tips, and so are the paths. `world` is that of
-/// plan.scene, with the plan's tolerances. Refuses if no contact could be kept, or the tips cannot
-/// be kept out.
-PlanningFailure plan_contacts(const PlanningInputs& planner, const collision::CollisionWorld& world,
-                              std::uint64_t seed, Contacts& contacts, Plan& plan);
+/// Returns the person's contacts with the target, for a plan whose path follows the tips. Requires
+/// the config's section `grasp`. If there is a target but no contact, a note has the reason.
+Contacts demonstrated_contacts(const PlanningInputs& planner,
+                               const collision::CollisionWorld& world, const Plan& by_tips);
 
-/// Returns true if the findings concern a tip: it is away from its goals, or its own link collides.
-bool findings_concern_tip(const robot::Robot& robot, std::size_t tip,
-                          const std::vector<Finding>& findings);
+/// Plans contacts of the pads with the target (contact_attempt.hpp), where `by_tips` has tips near
+/// it. While attempts fail, the request is relaxed (contact_relaxations.hpp). `world` contains the
+/// plan's scene and has a target; its tolerances apply. `demonstrated` must not be empty. Refuses
+/// with the failure of the first attempt if no contact can be kept.
+Outcome<ContactPlan> plan_contacts(const PlanningInputs& planner,
+                                   const collision::CollisionWorld& world, std::uint64_t seed,
+                                   const std::vector<grasp::DesiredContact>& demonstrated,
+                                   const Plan& by_tips);
 
-/// Returns "contacts given up (tracking): thumb_tip ...", or the same for the contacts of some
-/// tips.
+/// Returns the plan `by_tips`, changed as far as it enters the target deeper than the tolerances of
+/// `world` permit. Refuses if the tips cannot be kept out.
+Outcome<Plan> plan_without_contacts(const PlanningInputs& planner,
+                                    const collision::CollisionWorld& world, std::uint64_t seed,
+                                    const Plan& by_tips);
+
+/// Returns "contacts given up (tracking): …" with the failure's detail. If `tips` are named, it
+/// begins with "contact of thumb_tip, index_tip".
 std::string given_up_sentence(const std::vector<std::string>& tips, const PlanningFailure& failure);
 
 }  // namespace morphe::planning

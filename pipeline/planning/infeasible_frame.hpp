@@ -10,7 +10,7 @@
 
 namespace morphe::planning {
 
-/// A posture that satisfies a frame's goals within their tolerances and is free of collision.
+/// A posture without findings in a frame: it meets the goals and does not collide.
 struct FeasiblePosture {
   std::size_t frame = 0;
   JointVector q;
@@ -18,32 +18,33 @@ struct FeasiblePosture {
 
 /// A time of a movement for which no feasible posture was found.
 struct InfeasibleFrame {
-  /// unreachable, with or without obstacles; or goal_in_collision
+  /// goal_in_collision if a posture meets the goals when obstacles are ignored, else unreachable
   Reason reason = Reason::unreachable;
-  double time_s = 0;  ///< demonstration time
-  int tried = 0;      ///< number of postures that were evaluated
-  Finding nearest;    ///< deepest finding of the best of them
+  double time_s = 0;      ///< demonstration time
+  int posture_count = 0;  ///< number of postures that were evaluated
+  Finding worst_finding;  ///< of the posture with the least summed excess
 };
 
-/// Searches for a feasible posture at the begin, middle and end of each finding, the worst finding
-/// first and for at most six frames. The postures are solved with weights of tips and clearance far
-/// above all others, from the path and then from the results of a search from random positions.
-/// Feasible postures are appended to `holds`. A frame without a feasible posture is returned as
-/// infeasible: as far as these starts tell, no path can pass it. Frames at which an object is
-/// attached are skipped, because its pose depends on the whole path. `check` returns the findings
+/// Searches for feasible postures at the middle, begin and end of each finding of a path, the worst
+/// finding first, in at most kMaxFramesPerPath frames. The postures are solved with weights of tips
+/// and clearance far above all others, from the path and then from the results of a search from
+/// random positions. They are appended to `postures`. Returns the first frame without a feasible
+/// posture, which as far as these starts tell no path can pass; nullopt if there is no such frame.
+/// A frame that is feasible but for kNearlyFeasibleDepth_m is passed over. So are frames in which
+/// the target is attached, because its pose depends on the whole path. `check` returns the findings
 /// of a path.
 std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& problem,
                                                      const repair::CheckedPath& checked,
                                                      const repair::PathCheck& check,
                                                      const map::MapOptions& options,
                                                      std::uint64_t seed,
-                                                     std::vector<FeasiblePosture>& holds);
+                                                     std::vector<FeasiblePosture>& postures);
 
-/// The repair strategy that stops with the reason if an infeasible frame is found.
+/// Returns `best`; as a failure that no strategy can mend if find_infeasible_frame() finds one.
 repair::StrategyResult stop_if_infeasible(const map::MappingProblem& problem,
                                           const repair::CheckedPath& best,
                                           const repair::PathCheck& check,
                                           const map::MapOptions& options, std::uint64_t seed,
-                                          std::vector<FeasiblePosture>& holds);
+                                          std::vector<FeasiblePosture>& postures);
 
 }  // namespace morphe::planning

@@ -5,8 +5,8 @@
 
 namespace morphe::planning {
 
-/// Returns the mean angle [rad] between the mapped robot's palm and the human hand, over the frames
-/// in which the hand was seen; kUnknown if there are no such frames.
+/// Returns the mean angle [rad] between the palm of the mapped robot and the person's hand, over
+/// the frames in which the hand's orientation is known; kUnknown if there are no such frames.
 double palm_error(const RobotModel& robot, const Plan& plan);
 
 }  // namespace morphe::planning

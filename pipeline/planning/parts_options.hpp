@@ -4,7 +4,7 @@
 
 namespace morphe::planning {
 
-/// The options for executing parts of a long recording of a hand alone (config section `parts`).
+/// The options for planning a movement of a hand without an arm in parts (config section `split`).
 struct PartsOptions {
   double min_duration_s = 1;  ///< minimum duration of a part [s]
 };

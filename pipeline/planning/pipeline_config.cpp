@@ -24,7 +24,7 @@ std::string text_of(const std::filesystem::path& file) {
 
 using Paths = std::vector<std::filesystem::path>;
 
-/// Returns the deepest folder that contains all files.
+/// Returns the deepest folder that contains all files. There must be at least one.
 std::filesystem::path common_folder(const Paths& files) {
   std::filesystem::path common = files.front().parent_path();
   for (const auto& file : files) {
@@ -34,12 +34,12 @@ std::filesystem::path common_folder(const Paths& files) {
   return common;
 }
 
-/// Returns the files from which a run was made. Their locations on this machine are not recorded:
-/// files of a group are named relative to the deepest common folder, or by their file name alone if
-/// that is the root; a name that is already in use gets a numbered folder.
-std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
+/// Returns the names and texts of the files from which a run was made. To hide their locations, the
+/// files of each group are named relative to their deepest common folder, or by their file names if
+/// that is the root. A name already in use gets a numbered folder.
+std::vector<PlanFileHeader::Input> name_inputs(const std::vector<Paths>& groups) {
   std::vector<PlanFileHeader::Input> inputs;
-  std::set<std::string> taken;
+  std::set<std::string> used_names;
   for (Paths files : groups) {
     for (auto& file : files) file = std::filesystem::weakly_canonical(file);
     const std::filesystem::path common = common_folder(files);
@@ -47,7 +47,7 @@ std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
       const auto inside =
           common == common.root_path() ? file.filename() : file.lexically_relative(common);
       std::string name = inside.generic_string();
-      for (int number = 2; !taken.insert(name).second; ++number)
+      for (int number = 2; !used_names.insert(name).second; ++number)
         name = fmt::format("{}/{}", number, inside.generic_string());
       inputs.push_back({name, text_of(file)});
     }
@@ -57,8 +57,8 @@ std::vector<PlanFileHeader::Input> collect(const std::vector<Paths>& groups) {
 
 config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files);
 
-/// Returns the base of a config, or of an entry of its robots, that `extends: FILE`; nullopt
-/// without this key.
+/// Returns the config named by the key `extends` of a config, or of an entry of its robots; nullopt
+/// without this key. `files` are those read on the way here, and receives those that are read now.
 std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Paths& files) {
   if (!node.has("extends")) return {};
   const config::ConfigNode extends = node["extends"];
@@ -74,7 +74,7 @@ std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Path
   return load_extended(base, files);
 }
 
-/// Loads a config, with omitted keys taken from those that it extends.
+/// Loads a config, with omitted keys taken from those that it extends. Appends all to `files`.
 config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
   config::ConfigNode node = config::ConfigNode::load(file);
   files.push_back(file);
@@ -93,8 +93,7 @@ int named_joint(const config::ConfigNode& entry, const char* key, const RobotMod
   return static_cast<int>(found - robot.joint_names.begin());
 }
 
-/// Checks that the joints of the natural posture and of home exist in the robot, and that home is
-/// within its limits.
+/// Checks that joints named in `natural_posture` and `home` exist, and home is within the limits.
 void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   const RobotModel& robot = loaded.robot;
   if (node.has("map") && node["map"].has("natural_posture")) {
@@ -114,10 +113,10 @@ void check_joints(const config::ConfigNode& node, const LoadedConfig& loaded) {
   }
 }
 
-/// Checks that the terms in map.custom_terms are supplied by the program, and adds them.
-void bring_terms(const config::ConfigNode& node,
-                 const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
-                 map::MapOptions& options) {
+/// Adds the terms that map.custom_terms names to the objective. All must be among `terms`.
+void add_custom_terms(const config::ConfigNode& node,
+                      const std::vector<std::shared_ptr<const ResidualTerm>>& terms,
+                      map::MapOptions& options) {
   const std::string unknown =
       humanlike::resolve_custom_terms(terms, options.objective.get<humanlike::CustomTerms>());
   if (unknown.empty()) return;
@@ -129,10 +128,10 @@ void bring_terms(const config::ConfigNode& node,
 
 using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
 
-/// Loads the options of a config that was read from these files.
+/// Loads the options of a config that was read from `files`, and the files that it names.
 LoadedConfig load(config::ConfigNode node, const Paths& files,
                   const std::vector<std::string>& settings, const Terms& terms) {
-  // Files named by an absolute path form groups of their own.
+  // A file named by an absolute path is a group of its own; see name_inputs().
   std::vector<Paths> groups{files};
   const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
     return named.is_absolute() ? groups.emplace_back() : groups.front();
@@ -146,7 +145,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   }
   LoadedConfig loaded;
   config::read_document(node, loaded.options);
-  bring_terms(node, terms, loaded.options.map);
+  add_custom_terms(node, terms, loaded.options.map);
 
   const robot::RobotDescription robot =
       robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
@@ -171,11 +170,11 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
     node["split"].fail("is only for hands without an arm: " + loaded.robot.name + " has an arm");
   }
   loaded.effective = config::write_options(loaded.options);
-  loaded.inputs = collect(groups);
+  loaded.inputs = name_inputs(groups);
   return loaded;
 }
 
-/// Returns the name of an entry of `robots`: a valid folder name that is unique.
+/// Returns the name of an entry of `robots`: a valid folder name that no earlier entry has.
 std::string name_of_entry(const config::ConfigNode& entry,
                           const std::vector<RobotConfig>& earlier) {
   const config::ConfigNode node = entry["name"];
@@ -229,10 +228,10 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
   for (const config::ConfigNode& entry : list.items()) {
     if (entry.has("dataset"))
       entry["dataset"].fail("is the same for all robots: put it beside `robots`");
-    Paths of_robot = files;
+    Paths robot_files = files;
     config::ConfigNode node = entry.copy_as_document();
     node.extend(own);
-    if (std::optional<config::ConfigNode> extended = load_base(entry, of_robot)) {
+    if (std::optional<config::ConfigNode> extended = load_base(entry, robot_files)) {
       if (extended->has("robots")) entry["extends"].fail("names a config with its own `robots`");
       extended->erase("dataset");
       node.extend(*extended);
@@ -241,7 +240,7 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
     const std::string name = name_of_entry(node, robots);
     node.erase("name");
     node.erase("extends");
-    robots.push_back({name, load(node, of_robot, settings, terms)});
+    robots.push_back({name, load(node, robot_files, settings, terms)});
   }
   return robots;
 }

@@ -46,7 +46,7 @@ struct PipelineConfig {
   segment::SegmentOptions segment;
   map::MapOptions map;
   check::CheckOptions check;
-  std::optional<grasp::GraspOptions> grasp;  ///< if absent: tips near the object, as in the paper
+  std::optional<grasp::GraspOptions> grasp;  ///< absent: tips near the object, as in the paper
   repair::RepairOptions repair;
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< if absent: no approach and retreat
@@ -72,11 +72,11 @@ void fields(Fields& f, PipelineConfig& o) {
   f("split", o.split);
 }
 
-/// Returns the tolerances by which a plan is judged; with the section `grasp`, pads and links may
-/// penetrate the target as specified there.
+/// Returns the tolerances by which a plan is judged. With the section `grasp`, its values limit how
+/// deep pads and links may penetrate the target.
 Tolerances tolerances_of(const PipelineConfig& config);
 
-/// A config with all files that it names.
+/// A config of one robot, with the files that it names.
 struct LoadedConfig {
   PipelineConfig options;
   robot::Robot robot;
@@ -85,29 +85,31 @@ struct LoadedConfig {
   std::vector<PlanFileHeader::Input> inputs;  ///< the files that were read
 };
 
-/// Reads a config of one robot, applies "a.b=value" settings and loads the files that it names;
-/// `terms` are the program's own terms for `map.custom_terms`. Throws InputError for invalid files
-/// and values and for unknown keys.
+/// Reads a config of one robot, applies "a.b=value" settings and loads the files that it names.
+/// `terms` are terms that the calling program provides for `map.custom_terms`. Throws InputError
+/// for invalid files and values, unknown keys, and a config with `robots`.
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings = {},
                          const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
-/// One of a config's `robots`; the name is "" for a config without this section, which has one
-/// robot.
+/// The config of one entry of `robots`. The name is "" for a config without this section.
 struct RobotConfig {
   std::string name;
   LoadedConfig loaded;
 };
 
-/// Reads the configs of a file with `robots`. An entry has a `name` and any section of a config
-/// except `dataset`; omitted keys come from the rest of the file, then from the config that the
-/// entry `extends`, if any (except its dataset), then from the file's own base. Settings apply to
-/// each.
+/// Reads the config of each robot of a file: of its `robots`, or of its one robot. An entry of
+/// `robots` has a `name` and any section of a config except `dataset`. A key that it omits comes
+/// from the first of these that has it:
+///   1. the rest of the file
+///   2. the config that the entry `extends`, without its dataset
+///   3. the config that the file `extends`
+/// Settings, terms and errors are those of load_config(), for each robot.
 std::vector<RobotConfig> load_robots(
     const std::filesystem::path& file, const std::vector<std::string>& settings = {},
     const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
 
-/// Returns the header of a plans.h5 that is made with the config from that dataset.
+/// Returns the header of a plans.h5 with plans made with the config from the dataset of this hash.
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);
 
 }  // namespace morphe::planning

@@ -26,9 +26,9 @@ Pose base_from_motion(const PlanningInputs& planner, const HumanMotion& motion,
   return map::place_robot(robot, map::shoulder_at_begin(motion, movement), placement).inverse();
 }
 
-/// Attaches the target to the hand.
-void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
-                   const Movement& movement, Scene& scene) {
+/// Lets a target that is carried in the movement move with the palm or the tips (`carried_by`).
+void carry_target(const PlanningInputs& planner, const HumanMotion& motion,
+                  const Movement& movement, Scene& scene) {
   const robot::Robot& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
@@ -40,7 +40,7 @@ void attach_target(const PlanningInputs& planner, const HumanMotion& motion,
   }
 }
 
-/// Returns the part of the scene for the mapping's clearance term.
+/// Returns the objects of the scene that the mapping's clearance term avoids.
 Scene select_mapping_scene(const PipelineConfig& config, const Scene& scene,
                            const Movement& movement) {
   std::vector<std::string> names = scene::mapping_obstacles(config.scene, scene);
@@ -58,7 +58,7 @@ Scene scene_around(const PlanningInputs& planner, const Demonstration& demonstra
                    const HumanMotion& motion, Movement& movement) {
   if (!map::is_hand_only(planner.robot)) {
     Scene scene = scene::build_scene(planner.config.scene, demonstration, motion, movement);
-    attach_target(planner, motion, movement, scene);
+    carry_target(planner, motion, movement, scene);
     return scene;
   }
   scene::SceneOptions configured = planner.config.scene;
@@ -114,12 +114,12 @@ PlacedMovement::PlacedMovement(const PlanningInputs& planner, const HumanMotion&
   }
 }
 
-std::vector<std::size_t> evenly_spaced_frames(std::size_t frames, std::size_t most) {
-  const std::size_t count = std::min(most, frames);
-  if (count == 1) return {0};
-  std::vector<std::size_t> few;
-  for (std::size_t k = 0; k < count; ++k) few.push_back(k * (frames - 1) / (count - 1));
-  return few;
+std::vector<std::size_t> evenly_spaced_indices(std::size_t count, std::size_t max_count) {
+  const std::size_t selected = std::min(max_count, count);
+  if (selected == 1) return {0};
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < selected; ++k) indices.push_back(k * (count - 1) / (selected - 1));
+  return indices;
 }
 
 Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
@@ -130,8 +130,8 @@ Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
       unmoved.problem.goals,
       [](const humanlike::FrameGoal& goal) { return goal.goal_tip_count() > 0; });
   if (unmoved.problem.frames() < 5 || !any_goal) return Vec3::Zero();
-  const std::vector<std::size_t> frames = evenly_spaced_frames(unmoved.problem.frames(), 16);
-  const JointRows start =
+  const std::vector<std::size_t> frames = evenly_spaced_indices(unmoved.problem.frames(), 16);
+  const JointRows without_offset =
       map::search_movement(map::problem_at_frames(unmoved.problem, frames), options, seed)
           .front()
           .q;
@@ -140,8 +140,8 @@ Vec3 choose_offset(const PlanningInputs& planner, const HumanMotion& motion,
     const PlacedMovement moved(planner, motion, movement, around, offset);
     double sum = 0;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      const JointVector near = start.row(k).transpose();
-      sum += map::solve_frame(moved.problem, frames[k], near, options.frame_solver, scratch).value;
+      const JointVector start = without_offset.row(k).transpose();
+      sum += map::solve_frame(moved.problem, frames[k], start, options.frame_solver, scratch).value;
     }
     return sum / static_cast<double>(frames.size()) +
            options.base_offset.weight * offset.squaredNorm();

@@ -12,7 +12,7 @@
 #include "pipeline/planning/place_movement.hpp"
 #include "pipeline/planning/plan_sentences.hpp"
 #include "pipeline/planning/repair_movement.hpp"
-#include "pipeline/planning/time_stage.hpp"
+#include "pipeline/planning/smoothing_fallback.hpp"
 #include "stages/certify/approximate_reason.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
@@ -25,19 +25,19 @@
 namespace morphe::planning {
 namespace {
 
-/// The state from which planning a movement starts, for any goals: motion, scene and base position.
+/// A movement with its motion, its scene and the offset of the base, before the robot is placed.
 struct PreparedMovement {
-  Plan begun;
+  Plan begun;               ///< identifies the movement
   PlanningFailure failure;  ///< set if the movement cannot be planned
   HumanMotion motion;
-  Scene around;
-  Vec3 offset = Vec3::Zero();
+  Scene around;                ///< in the frame of `motion`
+  Vec3 offset = Vec3::Zero();  ///< of the base from its placement [m]
   std::uint64_t seed = 0;
 };
 
-PreparedMovement set_up(const PlanningInputs& planner, const Demonstration& demonstration,
-                        const HumanMotion& recorded, const Movement& movement,
-                        StageSeconds& seconds, const std::optional<Vec3>& known_offset) {
+PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& demonstration,
+                         const HumanMotion& recorded, const Movement& movement,
+                         const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
   PreparedMovement setting;
   setting.begun = begin_plan(demonstration, movement, config.check.tolerances);
@@ -50,15 +50,15 @@ PreparedMovement set_up(const PlanningInputs& planner, const Demonstration& demo
   setting.failure = reconstruct::check_human_limits(recorded, config.human);
   if (setting.failure) return setting;
   Movement& placed = setting.begun.movement;
-  scene::RelocatedMovement there = time_stage(seconds, "scene", [&] {
+  scene::RelocatedMovement relocated = planner.timed("scene", [&] {
     const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);
     return scene::move_target(config.scene, recorded, placed, as_recorded);
   });
-  setting.motion = std::move(there.motion);
-  setting.around = std::move(there.scene);
+  setting.motion = std::move(relocated.motion);
+  setting.around = std::move(relocated.scene);
   setting.offset = known_offset.value_or(Vec3::Zero());
   if (config.map.base_offset.limit_m > 0 && !known_offset) {
-    setting.offset = time_stage(seconds, "map", [&] {
+    setting.offset = planner.timed("map", [&] {
       return choose_offset(planner, setting.motion, placed, setting.around,
                            math::seed_from(setting.seed, "offset"));
     });
@@ -66,63 +66,53 @@ PreparedMovement set_up(const PlanningInputs& planner, const Demonstration& demo
   return setting;
 }
 
-/// Returns true if any fingertip goal was seen during grasp or hold, or there is no such phase.
+/// Returns true if a fingertip has a goal in a frame of grasp or hold, or no frame is in them.
 bool has_grasp_goal(const Goals& goals, const Movement& movement) {
-  bool asked = false;
+  bool grasp_seen = false;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     if (!is_grasping_at(movement, goals.time[f])) continue;
-    asked = true;
+    grasp_seen = true;
     for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
       if (is_known(goals.tip_position(f, tip))) return true;
     }
   }
-  return !asked;
+  return !grasp_seen;
 }
 
-/// Computes the time parametrisation and the certificate. If smoothing makes the path collide or
-/// moves tips too far from their goals, it is disabled before the plan fails.
+/// Sets the plan's trajectory, certificate, reason and detail. If smoothing makes the path collide
+/// or moves tips too far from their goals, a second attempt is made without it.
 void retime_and_certify(const PlanningInputs& planner, const collision::CollisionWorld& world,
-                        Plan& plan, StageSeconds& seconds) {
-  retime::RetimeOptions options = planner.config.retime;
-  while (true) {
-    Outcome<retime::RetimeResult> retimed = time_stage(seconds, "retime", [&] {
-      return retime::retime(planner.robot, plan.path, plan.movement, options);
+                        Plan& plan) {
+  const auto attempt = [&](const retime::RetimeOptions& options) -> PlanningFailure {
+    Outcome<retime::RetimeResult> retimed = planner.timed(
+        "retime", [&] { return retime::retime(planner.robot, plan.path, plan.movement, options); });
+    plan.certificate = {};
+    if (retimed.failure) return retimed.failure;
+    plan.trajectory = std::move(retimed.value.trajectory);
+    Outcome<Certificate> certified = planner.timed("certify", [&] {
+      return certify::certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
     });
-    Outcome<Certificate> certified{{}, retimed.failure};
-    if (!retimed.failure) {
-      plan.trajectory = std::move(retimed.value.trajectory);
-      certified = time_stage(seconds, "certify", [&] {
-        return certify::certify(world, plan.goals, plan.movement, plan.trajectory, plan.mapped);
-      });
-    }
-    certified.value.repaired = plan.certificate.repaired;
-    certified.value.natural_posture_error = plan.certificate.natural_posture_error;
-    plan.certificate = certified.value;
-    const Reason reason = certified.failure.reason;
-    const bool smoothed = options.tip_tolerance + options.joint_tolerance > 0;
-    if (smoothed && (reason == Reason::smoothing_collision || reason == Reason::tracking)) {
-      options.tip_tolerance = options.joint_tolerance = 0;
-      continue;
-    }
-    plan.reason = reason;
-    plan.detail = certified.failure.detail;
-    if (reason != Reason::none) plan.trajectory = {};
-    return;
-  }
+    plan.certificate = std::move(certified.value);
+    return certified.failure;
+  };
+  const PlanningFailure failure = retry_without_smoothing(
+      planner.config.retime, {Reason::smoothing_collision, Reason::tracking}, attempt);
+  plan.reason = failure.reason;
+  plan.detail = failure.detail;
+  if (failure) plan.trajectory = {};
 }
 
-/// Adds the grasp of an executable plan, its approach and its warnings.
+/// Adds approach, grasp and warnings to an executable plan; fails it if there is no approach.
 void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovement& setting,
                             const Contacts& contacts, const collision::CollisionWorld& world,
-                            Plan& plan, StageSeconds& seconds) {
+                            Plan& plan) {
   const PipelineConfig& config = planner.config;
-  const std::string only_near =
+  const std::string approximate_reason =
       certify::approximate_reason(plan.goals, plan.tolerances, plan.certificate);
-  plan.approximate = !only_near.empty();
+  plan.approximate = !approximate_reason.empty();
   if (config.approach) {
-    const PlanningFailure refused = time_stage(seconds, "approach", [&] {
-      return add_approach(planner, *config.approach, setting.seed, plan);
-    });
+    const PlanningFailure refused = planner.timed(
+        "approach", [&] { return add_approach(planner, *config.approach, setting.seed, plan); });
     if (refused) {
       plan = fail(std::move(plan), refused);
       return;
@@ -138,7 +128,7 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
       grasp::evaluate_grasp(world, at_s, down, *config.grasp, plan.grasp);
     }
   }
-  plan.detail = only_near;
+  plan.detail = approximate_reason;
   for (const std::string& sentence :
        {warnings(world, plan.goals, plan.movement, setting.motion, plan.trajectory,
                  config.retime.mode == retime::RetimeMode::catch_up),
@@ -149,48 +139,61 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
   }
 }
 
-/// Returns true if contacts may free a path: it is free, or only the target obstructs it.
+/// Retimes and certifies a plan whose path is free, and adds its grasp and its approach.
+void complete_plan(const PlanningInputs& planner, const PreparedMovement& setting,
+                   const Contacts& contacts, const collision::CollisionWorld& world, Plan& plan) {
+  retime_and_certify(planner, world, plan);
+  if (plan.has_trajectory()) add_grasp_and_approach(planner, setting, contacts, world, plan);
+}
+
+/// Returns true if all findings of the path, if any, are collisions with the target.
 bool can_use_contacts(const Plan& plan) {
   return std::ranges::all_of(plan.remaining_findings, [&](const Finding& finding) {
     return finding.other_body == plan.movement.target;
   });
 }
 
-/// Returns the plan with contacts according to the section `grasp`; if contacts are given up, the
-/// plan that follows the tips, with the tips kept out of the target as far.
+/// Returns the complete plan with contacts according to the section `grasp`, whose tolerances
+/// `world` has. If the contacts are given up, returns the plan that follows the tips, kept out of
+/// the target according to the same tolerances; with `refused_by_tips`, a failed plan.
+/// `world` refers to the scene of `by_tips`.
 Plan plan_with_contacts(const PlanningInputs& planner, const PreparedMovement& setting,
                         const collision::CollisionWorld& world, const Plan& by_tips,
-                        const PlanningFailure& refused_by_tips, StageSeconds& seconds) {
-  Contacts contacts =
-      time_stage(seconds, "grasp", [&] { return desired_contacts(planner, world, by_tips); });
-  while (true) {
-    const bool any = !contacts.contacts.empty();
-    Plan plan = by_tips;
-    if (!any && refused_by_tips) return fail(std::move(plan), refused_by_tips);
-    plan.tolerances = world.tolerances;
-    const PlanningFailure refused = time_stage(seconds, "grasp", [&] {
-      return plan_contacts(planner, world, setting.seed, contacts, plan);
+                        const PlanningFailure& refused_by_tips) {
+  const Contacts demonstrated =
+      planner.timed("grasp", [&] { return demonstrated_contacts(planner, world, by_tips); });
+  Plan start = by_tips;
+  start.tolerances = world.tolerances;
+  std::vector<std::string> notes = demonstrated.notes;
+  if (!demonstrated.contacts.empty()) {
+    Outcome<ContactPlan> touching = planner.timed("grasp", [&] {
+      return plan_contacts(planner, world, setting.seed, demonstrated.contacts, start);
     });
-    if (!refused) {
-      retime_and_certify(planner, world, plan, seconds);
-      if (plan.has_trajectory())
-        add_grasp_and_approach(planner, setting, contacts, world, plan, seconds);
-      if (plan.has_trajectory() || !any) return plan;
-      contacts = {{}, {given_up_sentence({}, {plan.reason, plan.detail})}};
-    } else if (!any) {
-      return fail(std::move(plan), refused);
+    PlanningFailure failure = std::move(touching.failure);
+    if (!failure) {
+      Plan& plan = touching.value.plan;
+      complete_plan(planner, setting, touching.value.contacts, world, plan);
+      if (plan.has_trajectory()) return std::move(plan);
+      failure = {plan.reason, plan.detail};
     }
+    notes = {given_up_sentence({}, failure)};
   }
+  if (refused_by_tips) return fail(by_tips, refused_by_tips);
+  Outcome<Plan> outside = planner.timed(
+      "grasp", [&] { return plan_without_contacts(planner, world, setting.seed, start); });
+  if (outside.failure) return fail(std::move(outside.value), outside.failure);
+  complete_plan(planner, setting, {{}, std::move(notes)}, world, outside.value);
+  return std::move(outside.value);
 }
 
 }  // namespace
 
 Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
+                   const HumanMotion& recorded, const Movement& movement,
                    const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
   const PreparedMovement setting =
-      set_up(planner, demonstration, recorded, movement, seconds, known_offset);
+      prepare(planner, demonstration, recorded, movement, known_offset);
   Plan plan = setting.begun;
   if (setting.failure) return fail(std::move(plan), setting.failure);
   PlacedMovement placed(planner, setting.motion, plan.movement, setting.around, setting.offset);
@@ -204,36 +207,34 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
   }
   collision::CollisionWorld world = collision::make_world(planner.robot, plan.scene, plan.movement,
                                                           plan.tolerances, config.scene.meshes);
-  Outcome<map::MapResult> mapping = time_stage(seconds, "map", [&] {
+  Outcome<map::MapResult> mapping = planner.timed("map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, setting.seed);
   });
   if (mapping.failure) return fail(std::move(plan), mapping.failure);
   map::MapResult& mapped = mapping.value;
   plan.mapped = std::move(mapped.mapped);
   plan.path = mapped.path;
-  plan.certificate.natural_posture_error = mapped.posture_error_rad;
 
-  plan.findings = time_stage(seconds, "check", [&] {
+  plan.findings = planner.timed("check", [&] {
     return check::check_path(world, plan.goals, plan.movement, plan.path, config.check);
   });
   PlanningFailure failure;
   if (!plan.findings.empty()) {
-    Outcome<repair::RepairResult> repaired = time_stage(seconds, "repair", [&] {
+    Outcome<repair::RepairResult> repaired = planner.timed("repair", [&] {
       return repair_movement(planner, placed, world, plan, mapped, setting.seed);
     });
     plan.path = std::move(repaired.value.path);
     plan.repair = std::move(repaired.value.attempts);
     plan.remaining_findings = std::move(repaired.value.remaining);
-    plan.certificate.repaired = repaired.value.repaired;
+    plan.repaired = repaired.value.repaired;
     failure = std::move(repaired.failure);
   }
   if (config.grasp && can_use_contacts(plan)) {
     world.tolerances = tolerances_of(config);
-    return plan_with_contacts(planner, setting, world, plan, failure, seconds);
+    return plan_with_contacts(planner, setting, world, plan, failure);
   }
   if (failure) return fail(std::move(plan), failure);
-  retime_and_certify(planner, world, plan, seconds);
-  if (plan.has_trajectory()) add_grasp_and_approach(planner, setting, {}, world, plan, seconds);
+  complete_plan(planner, setting, {}, world, plan);
   return plan;
 }
 

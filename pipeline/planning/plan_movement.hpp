@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "pipeline/planning/planner.hpp"
@@ -10,28 +8,24 @@
 
 namespace morphe::planning {
 
-/// processor time by stage [s]
-using StageSeconds = std::map<std::string, double>;
-
-/// Plans one movement with all stages. Never throws for an infeasible movement: the plan contains
-/// the reason. The objects of `demonstration` are in the frame of `recorded`, which is mirrored if
-/// a hand of the other side than the robot's was recorded. `offset` is the position of the base, if
-/// it is not to be chosen any more (map.free_offset).
+/// Plans one movement with all stages. The plan of an infeasible movement contains the reason.
+/// `demonstration` and `recorded` are those of a Reconstruction. `known_offset` is the base's
+/// offset from its placement [m]; without it, the offset is chosen according to `map.base_offset`.
 Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement, StageSeconds& seconds,
-                   const std::optional<Vec3>& offset = {});
+                   const HumanMotion& recorded, const Movement& movement,
+                   const std::optional<Vec3>& known_offset = {});
 
-/// A demonstration reconstructed as an arm of the robot's side, and the movements found in it. The
-/// objects are mirrored with the arm if the other one was recorded, and include the person's other
-/// arm if it is an obstacle.
+/// A demonstration reconstructed as an arm of the robot's side, and its movements. A recorded arm
+/// of the other side is mirrored, with the objects. These include the other arm as an obstacle, if
+/// any.
 struct Reconstruction {
   HumanMotion motion;
-  Demonstration on_robot_side;  ///< the demonstration in the frame of `motion`
+  Demonstration on_robot_side;  ///< the demonstration with objects in the frame of `motion`
   std::vector<Movement> movements;
 };
 /// Reconstructs a demonstration and segments it into movements.
 Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
-                                         const Demonstration& demonstration, StageSeconds& seconds);
+                                         const Demonstration& demonstration);
 
 /// Reconstructs a demonstration and plans each of its movements. A demonstration without movements
 /// results in one plan with the reason "no_movement".

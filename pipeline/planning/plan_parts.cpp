@@ -13,23 +13,23 @@ std::string validation_error(const PartsOptions& options) {
 
 std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration& demonstration,
                              const HumanMotion& recorded, const Movement& movement,
-                             const PartsOptions& options, StageSeconds& seconds) {
+                             const PartsOptions& options) {
   std::vector<Plan> parts;
-  const std::function<void(const Movement&, const std::optional<Vec3>&)> plan =
+  const std::function<void(const Movement&, const std::optional<Vec3>&)> plan_part =
       [&](const Movement& part, const std::optional<Vec3>& offset) {
-        Plan whole = plan_movement(planner, demonstration, recorded, part, seconds, offset);
-        const bool mapped = whole.mapped.position.rows() > 0;
-        if (whole.has_trajectory() || !mapped ||
+        Plan plan = plan_movement(planner, demonstration, recorded, part, offset);
+        const bool mapped = plan.mapped.position.rows() > 0;
+        if (plan.has_trajectory() || !mapped ||
             part.end_s - part.begin_s < 2 * options.min_duration_s) {
-          parts.push_back(std::move(whole));
+          parts.push_back(std::move(plan));
           return;
         }
         Movement first = part, second = part;
         first.end_s = second.begin_s = 0.5 * (part.begin_s + part.end_s);
-        plan(first, whole.goals.base_offset);
-        plan(second, whole.goals.base_offset);
+        plan_part(first, plan.goals.base_offset);
+        plan_part(second, plan.goals.base_offset);
       };
-  plan(movement, {});
+  plan_part(movement, {});
   if (parts.size() == 1) return parts;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Movement& own = parts[k].movement;

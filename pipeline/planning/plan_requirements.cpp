@@ -22,17 +22,17 @@ RobotModel robot_in(const std::filesystem::path& file, const UnpackedInputs& fil
   return std::move(robot.table);
 }
 
-/// Returns the robot of the first file with its name that is a valid robot.
+/// Returns the robot of the first input file that has the configured name and is a valid robot.
 RobotModel robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
-  std::string wrong = fmt::format("/inputs: does not contain {}", config.robot.file);
+  std::string error_text = fmt::format("/inputs: does not contain {}", config.robot.file);
   for (const std::filesystem::path& file : files.find_all(config.robot.file)) {
     try {
       return robot_in(file, files);
     } catch (const InputError& error) {
-      wrong = error.what();
+      error_text = error.what();
     }
   }
-  throw InputError(wrong);
+  throw InputError(error_text);
 }
 
 PlanRequest::ReferenceFrame relative_to(scene::ReferenceFrame frame) {
@@ -50,9 +50,9 @@ PlanRequest::ReferenceFrame relative_to(scene::ReferenceFrame frame) {
   }
 }
 
-void add_bodies(const std::vector<scene::ConfiguredObject>& objects, PlanRequest& asked) {
+void add_bodies(const std::vector<scene::ConfiguredObject>& objects, PlanRequest& request) {
   for (const scene::ConfiguredObject& object : objects) {
-    PlanRequest::Body& body = asked.bodies.emplace_back();
+    PlanRequest::Body& body = request.bodies.emplace_back();
     if (object.file.empty()) {
       body.object = scene::configured_body(object, 0);
       body.relative_to = relative_to(object.relative_to);
@@ -62,23 +62,23 @@ void add_bodies(const std::vector<scene::ConfiguredObject>& objects, PlanRequest
   }
 }
 
-/// Returns the objects of a scene's file; empty for a file with meshes.
+/// Returns the objects of the scene file; empty without one, and for a file with meshes.
 std::vector<scene::ConfiguredObject> file_objects(const scene::SceneOptions& scene,
                                                   const UnpackedInputs& files) {
   if (scene.file.empty()) return {};
   const std::filesystem::path file = files.find(scene.file);
   if (file.empty()) throw InputError(fmt::format("/inputs: does not contain {}", scene.file));
-  scene::SceneOptions alone;
-  alone.table = scene.table;
-  alone.file = file.string();
+  scene::SceneOptions file_only;
+  file_only.table = scene.table;
+  file_only.file = file.string();
   const config::ConfigNode node =
       config::ConfigNode::parse(fmt::format("{{file: '{}'}}", file.string()), "/@config");
   try {
-    scene::load_scene_files(alone, node);
+    scene::load_scene_files(file_only, node);
   } catch (const InputError&) {
     return {};
   }
-  return alone.file_objects;
+  return file_only.file_objects;
 }
 
 }  // namespace
@@ -91,26 +91,26 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
     throw InputError(
         fmt::format("/@config: differs from what this version writes ({})", header.software));
   const UnpackedInputs files(header.inputs);
-  PlanRequest asked;
+  PlanRequest request;
   try {
-    asked.robot = robot_of(config, files);
-    add_bodies(config.scene.objects, asked);
-    add_bodies(file_objects(config.scene, files), asked);
+    request.robot = robot_of(config, files);
+    add_bodies(config.scene.objects, request);
+    add_bodies(file_objects(config.scene, files), request);
   } catch (const InputError& error) {
     throw InputError(files.with_stored_paths(error.what()));
   }
-  asked.config_sha256 = files::sha256(header.config);
-  asked.tolerances = tolerances_of(config);
-  asked.goal_step_s = 1 / config.reconstruct.rate_hz;
-  asked.limit_scaling = config.retime.limit_scaling;
+  request.config_sha256 = files::sha256(header.config);
+  request.tolerances = tolerances_of(config);
+  request.goal_step_s = 1 / config.reconstruct.rate_hz;
+  request.limit_scaling = config.retime.limit_scaling;
   if (!config.split && !config.segment.whole_recording)
-    asked.plan_until = config.segment.plan_until;
+    request.plan_until = config.segment.plan_until;
   if (config.scene.target.carried_by == scene::Carrier::palm)
-    asked.carrier_frame = asked.robot.frames[asked.robot.palm_frame].name;
+    request.carrier_frame = request.robot.frames[request.robot.palm_frame].name;
   if (config.approach)
-    asked.home = {home_posture(asked.robot, *config.approach), config.approach->limit_scaling,
-                  config.approach->retreat};
-  return asked;
+    request.home = {home_posture(request.robot, *config.approach), config.approach->limit_scaling,
+                    config.approach->retreat};
+  return request;
 }
 
 }  // namespace morphe::planning

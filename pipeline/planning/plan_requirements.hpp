@@ -4,11 +4,11 @@
 
 namespace morphe::planning {
 
-/// Returns the request that a plans.h5 was made for, from its header alone: the effective config is
-/// parsed like a config, and robot and scene are rebuilt from the stored inputs. Throws InputError
-/// if one of them cannot be read, or is not in the form that this version writes. A header contains
-/// no meshes: for a mesh object only the name is known (`relative_to` is unknown), and for a scene
-/// file with meshes no objects are known.
+/// Returns the requirements that a plans.h5 was made for, from its header alone: the stored config
+/// is parsed, and robot and scene are rebuilt from the stored inputs. A header contains no meshes.
+/// Therefore only the name of a mesh object of the config is known (`relative_to` is unknown), and
+/// no object of a scene file with meshes. Throws InputError if config or robot cannot be read, the
+/// scene file is missing, or the config is not in the form that this version writes.
 PlanRequest plan_requirements(const PlanFileHeader& header);
 
 }  // namespace morphe::planning

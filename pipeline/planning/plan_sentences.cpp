@@ -12,18 +12,18 @@ namespace morphe::planning {
 namespace {
 
 /// Returns a sentence on the delay against the demonstration's timing.
-std::string lateness(const Trajectory& trajectory) {
+std::string delay_text(const Trajectory& trajectory) {
   constexpr double kOnTime_s = 0.01;
-  double most_s = 0, late_s = 0;
+  double max_delay_s = 0, delayed_s = 0;
   for (std::size_t i = 1; i < trajectory.samples(); ++i) {
-    const double late = trajectory.time[i] - trajectory.time[0] -
-                        (trajectory.demonstration_time[i] - trajectory.demonstration_time[0]);
-    most_s = std::max(most_s, late);
-    if (late > kOnTime_s) late_s += trajectory.time[i] - trajectory.time[i - 1];
+    const double delay_s = trajectory.time[i] - trajectory.time[0] -
+                           (trajectory.demonstration_time[i] - trajectory.demonstration_time[0]);
+    max_delay_s = std::max(max_delay_s, delay_s);
+    if (delay_s > kOnTime_s) delayed_s += trajectory.time[i] - trajectory.time[i - 1];
   }
   return fmt::format(
-      "behind the demonstration by up to {:.2f} s (by more than {:.2f} s during {:.2f} s)", most_s,
-      kOnTime_s, late_s);
+      "behind the demonstration by up to {:.2f} s (by more than {:.2f} s during {:.2f} s)",
+      max_delay_s, kOnTime_s, delayed_s);
 }
 
 }  // namespace
@@ -34,15 +34,15 @@ std::string join_sentences(const std::vector<std::string>& sentences) {
 
 std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
-                     const Trajectory& trajectory, bool kept) {
+                     const Trajectory& trajectory, bool with_delay) {
   constexpr double kMaxUncertainConfidence = 0.5;
   const robot::Robot& robot = *world.robot;
-  std::vector<std::string> sentences, asked;
+  std::vector<std::string> sentences, goal_tips;
   for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
     std::size_t count = 0;
     if (!goals.auto_closed.empty() && goals.auto_closed[tip] != 0) continue;
     for (std::size_t f = 0; f < goals.frames(); ++f) count += is_known(goals.tip_position(f, tip));
-    if (count > 0) asked.push_back(robot.tips[tip].name);
+    if (count > 0) goal_tips.push_back(robot.tips[tip].name);
     if (count > 0 && count < goals.frames()) {
       sentences.push_back(fmt::format("{} has a goal in {} of {} frames", robot.tips[tip].name,
                                       count, goals.frames()));
@@ -62,8 +62,8 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                           " is not a closed mesh: only its surface is an obstacle");
     }
   }
-  if (kept && !trajectory.time.empty()) sentences.push_back(lateness(trajectory));
-  if (asked.size() == 1) sentences.push_back("only " + asked.front() + " has goals");
+  if (with_delay && !trajectory.time.empty()) sentences.push_back(delay_text(trajectory));
+  if (goal_tips.size() == 1) sentences.push_back("only " + goal_tips.front() + " has goals");
   for (const Phase& phase : movement.phases) {
     if (phase.begin_s > movement.end_s || phase.confidence > kMaxUncertainConfidence) continue;
     sentences.push_back(fmt::format("the limits of phase {} are uncertain (confidence {:.0f} %)",

@@ -8,21 +8,23 @@
 
 namespace morphe::planning {
 
-/// Joins sentences into one text, as in a plan's detail.
+/// Returns the sentences as one text, separated by "; " as in a plan's detail.
 std::string join_sentences(const std::vector<std::string>& sentences);
 
-/// Returns the warnings about an executable plan: tips without goals in some frames, a hand with
-/// only one seen tip, meshes with holes, the delay of the timing in mode `kept`, phases with
-/// uncertain borders (including a recording that is cut off in them), and the warnings of the
-/// reconstruction.
+/// Returns the warnings about an executable plan, as one text:
+///   - tips with goals in only some frames, and a hand of which only one tip has goals
+///   - a scaled hand, a moved base, and meshes with holes
+///   - the delay against the demonstration, if `with_delay` (retime mode catch_up)
+///   - phases with uncertain borders, also because the recording is cut off in them
+///   - the notes of the reconstruction
 std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
-                     const Trajectory& trajectory, bool kept);
+                     const Trajectory& trajectory, bool with_delay);
 
-/// Returns a warning that the pads touch but cannot hold the object, or "".
+/// Returns a warning if no contact forces of an evaluated grasp are in balance, or "".
 std::string grasp_force_warning(const Grasp& grasp);
 
-/// Returns a warning that the upper arm's direction differs from the person's, or "".
+/// Returns a warning if the upper arm's mean direction error is above 45 degrees, or "".
 std::string humanlikeness_warning(const Certificate& certificate, const Goals& goals);
 
 }  // namespace morphe::planning

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "core/parallel/stage_clock.hpp"
 #include "core/robot/robot.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
 
@@ -9,6 +12,13 @@ namespace morphe::planning {
 struct PlanningInputs {
   const PipelineConfig& config;
   const robot::Robot& robot;
+  parallel::StageClock* clock = nullptr;  ///< sums the processor time by stage; may be null
+
+  /// Returns step() and adds its processor time to that of the stage.
+  template <class Step>
+  auto timed(const std::string& stage, const Step& step) const {
+    return clock ? clock->measure(stage, step) : step();
+  }
 };
 
 }  // namespace morphe::planning

@@ -6,20 +6,22 @@
 
 namespace morphe::planning {
 
-/// The inputs of re-solving; all except `check` must outlive the strategies.
+/// The inputs of re-solving. The referenced objects must outlive the strategies.
 struct ReSolveContext {
   const map::MappingProblem& whole;  ///< the movement in the whole scene
   const map::MapOptions& options;
   repair::PathCheck check;
 };
 
-/// Returns the strategy that changes the mapping least: it solves the path again near its findings
-/// in the whole scene, with increasing weights of the clearance term until the tips yield.
-repair::RepairStrategy re_solve_mildly(const ReSolveContext& solving);
+/// Returns the strategy that changes the mapping least: while the path collides, it is solved again
+/// near its findings in the whole scene, with 10 and then 100 times the weight of clearance.
+repair::RepairStrategy re_solve_mildly(const ReSolveContext& context);
 
-/// Returns the strategy that solves the path again with the weights necessary to free it: if tips
-/// have yielded to more clearance than required, only freedom from collision is requested; finally,
-/// tips and clearance alone determine the result.
-repair::RepairStrategy re_solve_strongly(const ReSolveContext& solving);
+/// Returns the strategy that solves the path again with up to three sets of weights, until it is
+/// free:
+///   1. 1000 times the weight of the clearance term, while the path collides
+///   2. 10000 times, at a fifth of the distance, so that tips do not yield to needless clearance
+///   3. kStrongestWeights: tips and clearance alone determine the result
+repair::RepairStrategy re_solve_strongly(const ReSolveContext& context);
 
 }  // namespace morphe::planning

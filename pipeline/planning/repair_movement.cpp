@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/planning/candidate_sources.hpp"
+#include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/infeasible_frame.hpp"
 #include "pipeline/planning/re_solve.hpp"
 #include "stages/check/check_path.hpp"
@@ -19,7 +20,7 @@ using repair::RepairStrategy;
 }  // namespace
 
 collision::CollisionWorld with_extra_margin(collision::CollisionWorld world) {
-  world.tolerances.required_clearance += 2e-4;
+  world.tolerances.required_clearance += kExtraMargin_m;
   return world;
 }
 
@@ -31,58 +32,58 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
   const PipelineConfig& config = planner.config;
   map::MappingProblem whole = placed.problem;
   whole.world = &world;
-  const auto findings_in = [&](const collision::CollisionWorld& of, const JointPath& path) {
-    return check::check_path(of, plan.goals, plan.movement, path, config.check);
+  const auto findings_in = [&](const collision::CollisionWorld& tested, const JointPath& path) {
+    return check::check_path(tested, plan.goals, plan.movement, path, config.check);
   };
   const repair::PathCheck check = [&](const JointPath& path) { return findings_in(world, path); };
-  const collision::CollisionWorld world_with_extra_margin = with_extra_margin(world);
-  const repair::PathCheck check_with_extra_margin = [&](const JointPath& path) {
-    return findings_in(world_with_extra_margin, path);
+  const collision::CollisionWorld world_with_margin = with_extra_margin(world);
+  const repair::PathCheck check_with_margin = [&](const JointPath& path) {
+    return findings_in(world_with_margin, path);
   };
 
-  const CheckedPath warm_start{plan.path, plan.findings};
-  const ReSolveContext solving{whole, config.map, check_with_extra_margin};
-  std::vector<FeasiblePosture> holds;  // postures that satisfy goals at which the path failed
-  repair::CandidateFindings ends;
-  repair::DetourContext around{world, config.repair, seed, check_with_extra_margin, {}};
+  const CheckedPath mapped_path{plan.path, plan.findings};
+  const ReSolveContext re_solving{whole, config.map, check_with_margin};
+  std::vector<FeasiblePosture> postures;  // in the frames of findings
+  repair::CandidateFindings tried;
+  repair::DetourContext detours{world, config.repair, seed, check_with_margin, {}};
 
-  const RepairStrategy a_detour{
-      "detour", [&](const CheckedPath& best) { return repair::detour(around, best); }};
-  std::vector<RepairStrategy> ladder{a_detour};
+  const RepairStrategy detour{
+      "detour", [&](const CheckedPath& best) { return repair::detour(detours, best); }};
+  std::vector<RepairStrategy> strategies{detour};
   if (config.repair.method == repair::Method::humanlike) {
-    around.tracking_recovery = {re_solve_mildly(solving),
-                                repair::only_if_nearly_free(re_solve_strongly(solving))};
-    const RepairStrategy unless_a_dead_end{
+    detours.tracking_recovery = {re_solve_mildly(re_solving),
+                                 repair::only_if_nearly_free(re_solve_strongly(re_solving))};
+    const RepairStrategy stop_if_dead_end{
         "look for an infeasible frame", [&](const CheckedPath& best) {
           const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
           if (!tips_count) return repair::StrategyResult{best, {}, false, "skipped (no tip goals)"};
-          return stop_if_infeasible(whole, best, check, config.map, seed, holds);
+          return stop_if_infeasible(whole, best, check, config.map, seed, postures);
         }};
-    const RepairStrategy a_detour_from_the_mapped_path{
+    const RepairStrategy detour_from_mapped{
         "detour from the mapped path", [&](const CheckedPath& best) {
-          return repair::detour_from_mapped(warm_start, around, best);
+          return repair::detour_from_mapped(mapped_path, detours, best);
         }};
-    std::vector<RepairStrategy> with_a_detour = around.tracking_recovery;
-    with_a_detour.push_back(repair::detour_if_only_collisions(around));
-    ladder = {
-        re_solve_mildly(solving),
-        unless_a_dead_end,
-        re_solve_strongly(solving),
+    std::vector<RepairStrategy> re_solves_and_detour = detours.tracking_recovery;
+    re_solves_and_detour.push_back(repair::detour_if_only_collisions(detours));
+    strategies = {
+        re_solve_mildly(re_solving),
+        stop_if_dead_end,
+        re_solve_strongly(re_solving),
         repair::candidate_strategy("paths through collision-free postures",
-                                   around.tracking_recovery, check_with_extra_margin,
-                                   candidates_through_postures(whole, config.map, holds), ends),
-        repair::candidate_strategy("other paths of the mapping", around.tracking_recovery,
-                                   check_with_extra_margin,
-                                   mapping_candidates(whole, mapped.candidates), ends),
-        a_detour,
-        a_detour_from_the_mapped_path,
+                                   detours.tracking_recovery, check_with_margin,
+                                   candidates_through_postures(whole, config.map, postures), tried),
+        repair::candidate_strategy("other paths of the mapping", detours.tracking_recovery,
+                                   check_with_margin, mapping_candidates(whole, mapped.candidates),
+                                   tried),
+        detour,
+        detour_from_mapped,
         repair::candidate_strategy(
-            "other paths of new mapping searches", std::move(with_a_detour),
-            check_with_extra_margin,
-            searched_candidates(whole, config.map, config.repair.mapping_searches, seed), ends),
+            "other paths of new mapping searches", std::move(re_solves_and_detour),
+            check_with_margin,
+            searched_candidates(whole, config.map, config.repair.mapping_searches, seed), tried),
     };
   }
-  Outcome<repair::RepairResult> repaired = repair::repair_path(ladder, warm_start);
+  Outcome<repair::RepairResult> repaired = repair::repair_path(strategies, mapped_path);
   if (repaired.failure.reason == Reason::no_path) {
     repaired.failure.detail += "; " + repair::no_path_message(config.repair);
   }

@@ -8,16 +8,20 @@
 
 namespace morphe::planning {
 
-/// Returns the world with a margin of additional 0.2 mm, which a repaired path keeps if it can,
-/// because the curve through it is smoothed and certified to a tenth of a millimetre.
+/// Returns the world with the required clearance larger by kExtraMargin_m.
 collision::CollisionWorld with_extra_margin(collision::CollisionWorld world);
 
-/// Connects mapping, check and repair: finds the smallest change that frees a movement's plan by
-/// trying the strategies in order of increasing change. Its mapping is solved again in `world`, the
-/// whole scene, with moderate weights; repair ends if an infeasible frame remains; then with high
-/// weights; then the same for candidate paths through free postures and those of the mapping; then
-/// a detour, also from the mapped path; finally all of this for candidates searched in the whole
-/// scene. Samples far from findings remain bit-identical except in candidate paths.
+/// Repairs the path of a plan with findings by strategies in order of increasing change. `world`
+/// has the whole scene; the strategies ask for kExtraMargin_m more clearance than is required.
+///   1. the path is solved again with moderate weights
+///   2. repair ends if an infeasible frame is found (not in joint-to-joint mapping)
+///   3. the path is solved again with high weights
+///   4. both re-solves for candidate paths through the feasible postures of step 2
+///   5. the same for the other candidates of the mapping (`mapped`)
+///   6. a detour around the collisions of the best path, then of the mapped path
+///   7. re-solves and a detour for candidates of new mapping searches
+/// With the method `rrt_connect` only a detour is tried. Samples far from findings remain
+/// bit-identical except in candidate paths. Refuses with the reason for which repair ended.
 Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
                                               const PlacedMovement& placed,
                                               const collision::CollisionWorld& world,

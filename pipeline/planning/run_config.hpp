@@ -11,17 +11,17 @@ namespace morphe::planning {
 struct RunConfig {
   LoadedConfig loaded;
   std::string effective;       ///< in the form stored in plans.h5
-  std::string without_paths;   ///< the part that plans depend on: `effective` without file names
-  std::string scene_sha256;    ///< of the objects in the scene's file and meshes
-  std::string dataset_sha256;  ///< required for the dataset; "" if any is accepted
+  std::string without_paths;   ///< `effective` without file names, on which plans do not depend
+  std::string scene_sha256;    ///< of the objects of config and scene file, with their meshes
+  std::string dataset_sha256;  ///< hash that the dataset must have; "" if any is accepted
 };
 
-/// Returns the run config of a loaded config.
+/// Returns the run config of a loaded config, which accepts any dataset.
 RunConfig run_config(LoadedConfig loaded);
 
-/// Returns the config, robot and scene of a plans.h5 from the file alone, and the dataset that it
-/// requires. Throws InputError if it is not a plans.h5, or its scene names files that it does not
-/// contain (meshes).
+/// Returns the config, robot and scene of a plans.h5 from the file alone, and the hash of the
+/// dataset that it requires. Throws InputError if it is not a plans.h5, was written by another
+/// version, or lacks files of its scene, as it does with meshes.
 RunConfig stored_config(const std::filesystem::path& plans);
 
 }  // namespace morphe::planning

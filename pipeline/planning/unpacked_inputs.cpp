@@ -56,21 +56,21 @@ std::vector<fs::path> UnpackedInputs::find_all(const fs::path& named) const {
   std::vector<fs::path> found;
   if (const fs::path first = find(named); !first.empty()) found.push_back(first);
   for (const fs::path& file : files_) {
-    const bool known = !found.empty() && file == found.front();
-    if (file.filename() != named.filename() || known) continue;
+    const bool is_first = !found.empty() && file == found.front();
+    if (file.filename() != named.filename() || is_first) continue;
     found.push_back(file);
-    std::error_code there;
+    std::error_code ignored;
     for (const fs::path& other : files_)
       fs::copy_file(other, file.parent_path() / other.filename(), fs::copy_options::skip_existing,
-                    there);
+                    ignored);
   }
   return found;
 }
 
 std::string UnpackedInputs::with_stored_paths(std::string message) const {
   const std::string folder = folder_.string();
-  for (std::size_t at; (at = message.find(folder)) != std::string::npos;)
-    message.replace(at, folder.size(), "/inputs");
+  for (std::size_t begin; (begin = message.find(folder)) != std::string::npos;)
+    message.replace(begin, folder.size(), "/inputs");
   return message;
 }
 

@@ -8,8 +8,8 @@
 
 namespace morphe::planning {
 
-/// The inputs of a plans.h5 as files of a temporary folder, which exists during the object's
-/// lifetime. Throws InputError for an input that would be outside of the folder.
+/// The inputs of a plans.h5 (first the config) as files of a temporary folder, which exists during
+/// the object's lifetime. Throws InputError if it cannot be created or an input's path leaves it.
 class UnpackedInputs {
  public:
   explicit UnpackedInputs(const std::vector<PlanFileHeader::Input>& inputs);
@@ -17,17 +17,16 @@ class UnpackedInputs {
   UnpackedInputs(const UnpackedInputs&) = delete;
   UnpackedInputs& operator=(const UnpackedInputs&) = delete;
 
-  /// Returns a file named in the config: relative to the config, which is the first input, or to
-  /// one that it extends; otherwise a file with the same name in any folder. Empty if there is no
-  /// such file.
+  /// Returns the first file with the relative path `named` from an input's folder, in the order of
+  /// the inputs; otherwise, the first with only its file name. Empty if there is no file.
   std::filesystem::path find(const std::filesystem::path& named) const;
-  /// Returns every file of that name, starting with the one that find() returns. The other inputs
-  /// are copied beside each unless a file of their name exists, because inputs without a common
-  /// folder have lost their own.
+  /// Returns find() and all other inputs with the same file name. Inputs without a common folder
+  /// have lost their relative paths; so that each of these others finds the files that it names,
+  /// all inputs are copied beside it, except over existing files.
   std::vector<std::filesystem::path> find_all(const std::filesystem::path& named) const;
   /// Returns true if a file is inside the folder.
   bool contains(const std::filesystem::path& file) const;
-  /// Replaces the folder in a message by the name of the inputs in plans.h5.
+  /// Returns the message with the temporary folder replaced by "/inputs", its name in plans.h5.
   std::string with_stored_paths(std::string message) const;
 
  private:

@@ -37,24 +37,26 @@ std::string deflated(const std::string& bytes) {
 
 }  // namespace
 
+/// Appends a varint for each number: 0 for NaN, otherwise 1 + the zigzag code of the difference
+/// from the linear extrapolation of the two numbers before, in steps.
 void Block::add_column(const JointRows& values, Eigen::Index column, double step) {
-  std::int64_t before = 0, last = 0;
+  std::int64_t last_but_one = 0, last = 0;
   for (Eigen::Index row = 0; row < values.rows(); ++row) {
     const double value = values(row, column);
     if (std::isnan(value)) {
       append_varint(bytes_, 0);
       continue;
     }
-    const std::int64_t whole = std::llround(std::clamp(value / step, -kMaxSteps, kMaxSteps));
-    append_varint(bytes_, zigzag(whole - 2 * last + before) + 1);
-    before = last;
-    last = whole;
+    const std::int64_t steps = std::llround(std::clamp(value / step, -kMaxSteps, kMaxSteps));
+    append_varint(bytes_, zigzag(steps - 2 * last + last_but_one) + 1);
+    last_but_one = last;
+    last = steps;
   }
 }
 
 nlohmann::ordered_json Block::table(const JointRows& values, double step) {
   nlohmann::ordered_json entry = {
-      {"array", {values.rows(), values.cols()}}, {"step", step}, {"at", bytes_.size()}};
+      {"array", {values.rows(), values.cols()}}, {"step", step}, {"offset", bytes_.size()}};
   for (Eigen::Index column = 0; column < values.cols(); ++column) add_column(values, column, step);
   return entry;
 }
@@ -65,10 +67,10 @@ nlohmann::ordered_json Block::column(const std::vector<double>& values, double s
 
 std::string Block::to_base64() const {
   const std::string text = json_text(json);
-  std::string whole;
+  std::string header;
   const auto length = static_cast<std::uint32_t>(text.size());
-  for (int shift = 0; shift < 32; shift += 8) whole += static_cast<char>(length >> shift & 255U);
-  return files::encode_base64(deflated(whole + text + bytes_));
+  for (int shift = 0; shift < 32; shift += 8) header += static_cast<char>(length >> shift & 255U);
+  return files::encode_base64(deflated(header + text + bytes_));
 }
 
 }  // namespace morphe::report

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,23 +8,23 @@
 
 namespace morphe::report {
 
-/// A unit of data that a browser unpacks as a whole: JSON, and tables of numbers as bytes
-/// (page/README.md describes both formats). Numbers are rounded to a multiple of a step, so the
-/// error is at most half a step if a value is below 2^40 steps; larger values are clamped to that
-/// bound.
+/// A unit of data that a browser unpacks as a whole: JSON, and tables of numbers as bytes. Both
+/// formats are in page/README.md. Numbers are rounded to multiples of a step, and clamped to 2^40
+/// steps.
 class Block {
  public:
-  /// The JSON part.
   nlohmann::ordered_json json;
 
-  /// Adds a table and returns its entry {array: [rows, cols], step, at}.
+  /// Adds a table. Returns its entry for the JSON: {array: [rows, cols], step, offset}.
   nlohmann::ordered_json table(const JointRows& values, double step);
   /// Adds a table of one column and returns its entry.
   nlohmann::ordered_json column(const std::vector<double>& values, double step);
-  /// Adds a column of integers and returns its entry.
+  /// Adds a column of integers or values of an enumeration and returns its entry.
   template <class T>
   nlohmann::ordered_json integer_column(const std::vector<T>& values) {
-    return column({values.begin(), values.end()}, 1);
+    std::vector<double> numbers;
+    for (const T value : values) numbers.push_back(static_cast<double>(value));
+    return column(numbers, 1);
   }
 
   /// Returns the packed data in base64.

@@ -1,6 +1,5 @@
 #include "pipeline/report/display_motion.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/humanlike/metrics.hpp"
@@ -21,24 +20,23 @@ std::vector<T> select_rows(const std::vector<T>& values, const Rows& rows) {
 }
 
 JointRows select_rows(const JointRows& values, const Rows& rows) {
-  JointRows out(rows.size(), values.cols());
-  for (std::size_t k = 0; k < rows.size(); ++k) out.row(k) = values.row(rows[k]);
-  return out;
+  return values(rows, Eigen::all);
 }
 
 JointRows limit_ratios(const JointRows& values, const JointVector& limit) {
   return values.array().rowwise() / limit.transpose().array();
 }
 
-/// Computes the values that are greatest in magnitude from each displayed row up to the next.
+/// Returns the values of greatest magnitude from each row to the next; the last repeats its
+/// previous.
 JointRows maxima_between_rows(const JointRows& values, const Rows& rows) {
   JointRows out = JointRows::Zero(rows.size(), values.cols());
-  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
-    auto greatest = out.row(k);
+  for (int k = 0; k + 1 < std::ssize(rows); ++k) {
+    auto maximum = out.row(k);
     for (int row = rows[k]; row < rows[k + 1]; ++row) {
       for (Eigen::Index joint = 0; joint < values.cols(); ++joint) {
-        if (std::abs(values(row, joint)) > std::abs(greatest[joint]))
-          greatest[joint] = values(row, joint);
+        if (std::abs(values(row, joint)) > std::abs(maximum[joint]))
+          maximum[joint] = values(row, joint);
       }
     }
   }
@@ -48,22 +46,19 @@ JointRows maxima_between_rows(const JointRows& values, const Rows& rows) {
 
 void add_separations(const collision::CollisionWorld& world, DisplayMotion& motion) {
   collision::CollisionScratch scratch;
-  std::vector<collision::PairSeparation> near;
-  const auto capsules = static_cast<int>(world.robot->capsules.size());
-  for (std::size_t k = 0; k < motion.time.size(); ++k) {
+  std::vector<collision::PairSeparation> close_pairs;
+  const double margin_m =
+      world.tolerances.max_penetration + world.tolerances.required_clearance + kTouchDistance_m;
+  for (int k = 0; k < std::ssize(motion.time); ++k) {
     const double time_s = motion.demonstration_time[k];
     const JointVector q = motion.position.row(k).transpose();
-    collision::PairSeparation nearest = collision::least_slack(world, q, time_s, scratch);
-    const double wide =
-        world.tolerances.max_penetration + world.tolerances.required_clearance + kTouchDistance_m;
-    near.clear();
-    collision::near_pairs(world, q, time_s, wide, scratch, near);
-    for (const collision::PairSeparation& pair : near) {
-      if (pair.separation.distance > kTouchDistance_m) continue;
-      const int other = pair.other_is_object ? capsules + pair.other : pair.other;
-      motion.touching_pairs.push_back({static_cast<int>(k), pair.capsule, other});
+    motion.nearest.push_back(collision::least_slack(world, q, time_s, scratch));
+    close_pairs.clear();
+    collision::near_pairs(world, q, time_s, margin_m, scratch, close_pairs);
+    for (const collision::PairSeparation& pair : close_pairs) {
+      if (pair.separation.distance <= kTouchDistance_m)
+        motion.touching_pairs.push_back({k, pair.capsule, body_index(*world.robot, pair)});
     }
-    motion.nearest.push_back(nearest);
     const bool moved = world.target >= 0 && collision::target_state_at(world, time_s) !=
                                                 collision::TargetState::as_recorded;
     motion.target_moved.push_back(moved ? 1 : 0);
@@ -71,28 +66,24 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
   }
 }
 
-/// Computes the errors of the tips with respect to their goals at the demonstration time of each
-/// row, and metric A.
+/// Sets the tips' errors from their goals at the same time of the demonstration, and metric A.
 void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotion& motion) {
-  const auto rows = static_cast<Eigen::Index>(motion.time.size());
-  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
+  const Eigen::Index rows = std::ssize(motion.time), tips = std::ssize(robot.tips);
   motion.tip_error = motion.tip_orientation_error = JointRows::Constant(rows, tips, kUnknown);
-  motion.humanlikeness.assign(motion.time.size(), kUnknown);
+  motion.humanlikeness.assign(rows, kUnknown);
   if (goals.frames() == 0) return;
   std::vector<Pose> base_from_frame;
   for (Eigen::Index row = 0; row < rows; ++row) {
     const double time_s = motion.demonstration_time[row];
     robot::forward_kinematics(robot, motion.position.row(row).transpose(), base_from_frame);
     for (Eigen::Index tip = 0; tip < tips; ++tip) {
-      const auto i = static_cast<std::size_t>(tip);
-      const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, i);
-      const Vec3 at =
-          robot::tracked_point(robot, base_from_frame, i, pad_share_at(goals, i, time_s));
-      motion.tip_error(row, tip) = (at - tip_goal_at(goals, i, time_s)).norm();
-      const Quat turned = tip_orientation_goal_at(goals, i, time_s);
-      if (is_known(turned))
-        motion.tip_orientation_error(row, tip) =
-            angle_between(Quat(base_from_tip.linear()), turned);
+      const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, tip);
+      const Vec3 position =
+          robot::tracked_point(robot, base_from_frame, tip, pad_share_at(goals, tip, time_s));
+      motion.tip_error(row, tip) = (position - tip_goal_at(goals, tip, time_s)).norm();
+      const Quat goal = tip_orientation_goal_at(goals, tip, time_s);
+      if (is_known(goal))
+        motion.tip_orientation_error(row, tip) = angle_between(Quat(base_from_tip.linear()), goal);
     }
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = interpolate_point(goals.elbow_position, frame_interpolation(goals, time_s));
@@ -101,42 +92,47 @@ void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotio
   }
 }
 
-std::vector<bool> tips_with_goals(const Goals& goals) {
-  std::vector<bool> any(goals.tip_position.cols, false);
-  for (std::size_t f = 0; f < goals.frames(); ++f) {
-    for (std::size_t tip = 0; tip < any.size(); ++tip)
-      any[tip] = any[tip] || is_known(goals.tip_position(f, tip));
+std::vector<int> tips_with_goals(const robot::Robot& robot, const Goals& goals) {
+  std::vector<int> tips;
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
+    bool has_goal = false;
+    for (std::size_t f = 0; f < goals.frames() && !has_goal; ++f)
+      has_goal = is_known(goals.tip_position(f, tip));
+    if (has_goal) tips.push_back(tip);
   }
-  return any;
+  return tips;
 }
 
-/// Computes the mean of |J q'| over the tips that have goals.
+/// Returns the mean of |J q'| over the tips that have goals, for each row; NaN without such tips.
 std::vector<double> tip_speed(const robot::Robot& robot, const Goals& goals,
                               const JointRows& position, const JointRows& velocity) {
-  const std::vector<bool> any = tips_with_goals(goals);
-  const auto count = std::ranges::count(any, true);
+  const std::vector<int> tips = tips_with_goals(robot, goals);
   std::vector<double> speed(position.rows(), kUnknown);
-  if (count == 0) return speed;
+  if (tips.empty()) return speed;
   std::vector<Pose> base_from_frame;
   Eigen::Matrix3Xd jacobian(3, position.cols());
   for (Eigen::Index row = 0; row < position.rows(); ++row) {
     robot::forward_kinematics(robot, position.row(row).transpose(), base_from_frame);
     double sum = 0;
-    for (std::size_t tip = 0; tip < any.size(); ++tip) {
-      if (!any[tip]) continue;
+    for (const int tip : tips) {
       const Vec3 point = robot::tip_pose(robot, base_from_frame, tip).translation();
       robot::point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
       sum += (jacobian * velocity.row(row).transpose()).norm();
     }
-    speed[row] = sum / static_cast<double>(count);
+    speed[row] = sum / static_cast<double>(tips.size());
   }
   return speed;
 }
 
 }  // namespace
 
+int body_index(const RobotModel& robot, const collision::PairSeparation& pair) {
+  return pair.other_is_object ? static_cast<int>(robot.capsules.size()) + pair.other : pair.other;
+}
+
 DisplayMotion display_trajectory(const std::string& name, const collision::CollisionWorld& world,
-                                 const Plan& plan, const Trajectory& trajectory, bool follows) {
+                                 const Plan& plan, const Trajectory& trajectory,
+                                 bool follows_goals) {
   const robot::Robot& robot = *world.robot;
   const Rows rows = select_display_rows(robot, trajectory, kDisplayRate_hz);
   DisplayMotion motion;
@@ -154,7 +150,7 @@ DisplayMotion display_trajectory(const std::string& name, const collision::Colli
   motion.origin = select_rows(trajectory.origin, rows);
   motion.clearance = select_rows(trajectory.clearance, rows);
   add_separations(world, motion);
-  if (!follows) return motion;
+  if (!follows_goals) return motion;
   add_goal_errors(robot, plan.goals, motion);
   motion.mean_tip_speed = tip_speed(robot, plan.goals, motion.position, velocity);
   return motion;
@@ -169,8 +165,8 @@ DisplayMotion display_path(const std::string& name, const collision::CollisionWo
   motion.position = position;
   motion.demonstration_time = demonstration_time;
   motion.origin = origin;
-  for (std::size_t k = 0; k < demonstration_time.size(); ++k) {
-    motion.sample.push_back(static_cast<int>(k));
+  for (int k = 0; k < std::ssize(demonstration_time); ++k) {
+    motion.sample.push_back(k);
     motion.time.push_back(demonstration_time[k] - demonstration_time.front());
     motion.phase.push_back(phase_at(plan.movement.phases, demonstration_time[k]));
   }

@@ -13,9 +13,9 @@ const DisplayMotion* goal_motion(const PlanView& view) {
   return nullptr;
 }
 
-std::size_t nearest_row(const std::vector<double>& times, double x) {
-  const auto nearer = [&](double a, double b) { return std::abs(a - x) < std::abs(b - x); };
-  return std::ranges::min_element(times, nearer) - times.begin();
+std::ptrdiff_t nearest_row(const std::vector<double>& times, double time_s) {
+  const auto distance = [&](double time) { return std::abs(time - time_s); };
+  return std::ranges::min_element(times, {}, distance) - times.begin();
 }
 
 std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view) {
@@ -25,30 +25,30 @@ std::vector<FilmInstant> film_instants(const Plan& plan, const PlanView& view) {
   std::vector<FilmInstant> instants;
   if (times.empty()) return instants;
   for (int k = 0; k < kFilmPoseCount; ++k) {
-    const double share = static_cast<double>(k) / (kFilmPoseCount - 1);
-    const std::size_t row =
+    const double share = k / (kFilmPoseCount - 1.0);
+    const std::ptrdiff_t row =
         nearest_row(times, times.front() + share * (times.back() - times.front()));
     instants.push_back({times[row], demonstration[row], row, ""});
   }
-  double matters_s = kUnknown;
-  std::string words;
+  double event_s = kUnknown;
+  std::string caption;
   if (view.worst) {
-    matters_s = view.worst->demonstration_s;
-    words = "worst";
+    event_s = view.worst->demonstration_s;
+    caption = "worst";
   } else if (const Phase* grasp = last_phase(plan.movement, PhaseKind::grasp)) {
-    matters_s = grasp->begin_s;
-    words = "grasp";
+    event_s = grasp->begin_s;
+    caption = "grasp";
   }
-  if (std::isnan(matters_s)) return instants;
-  const std::size_t row = nearest_row(demonstration, matters_s);
-  std::size_t nearest = 1;
-  for (std::size_t k = 1; k + 1 < instants.size(); ++k) {
+  if (std::isnan(event_s)) return instants;
+  const std::ptrdiff_t row = nearest_row(demonstration, event_s);
+  int nearest = 1;
+  for (int k = 1; k + 1 < kFilmPoseCount; ++k) {
     if (std::abs(instants[k].time_s - times[row]) < std::abs(instants[nearest].time_s - times[row]))
       nearest = k;
   }
   if (row == instants.front().row) nearest = 0;
-  if (row == instants.back().row) nearest = instants.size() - 1;
-  instants[nearest] = {times[row], demonstration[row], row, words};
+  if (row == instants.back().row) nearest = kFilmPoseCount - 1;
+  instants[nearest] = {times[row], demonstration[row], row, caption};
   return instants;
 }
 

@@ -8,11 +8,10 @@
 
 namespace morphe::report {
 
-/// Draws a plan as a picture for print (SVG, 1000 wide, white background, colours of Okabe and
-/// Ito): five poses of person and robot seen from the person's front and side (at equal times of
-/// the motion that follows the goals, with the one nearest to the grasp or the worst instant moved
-/// there), below them the speed of both and the errors of the tips with their tolerances. Robot and
-/// person are drawn by their capsules, in parallel projection. Equal plans give equal bytes.
+/// Returns a picture of a plan for print, as SVG of 1000 px width on a white background. It shows
+/// person and robot at film_instants() from in front of the person, as capsules in parallel
+/// projection. Charts below them show the speed of both, and the errors of the tips with their
+/// tolerances. `plan_path` is the plan's name in the title.
 std::string filmstrip(const robot::Robot& robot, const Plan& plan, const std::string& plan_path,
                       const PlanView& view);
 

@@ -11,8 +11,8 @@
 namespace morphe::report {
 namespace {
 
-/// Returns the rotation from the config in the file, empty for a hand alone, because its goals are
-/// given in the frame of the human hand instead of the world.
+/// Returns the rotation of the base from the config in the file; empty for a config of another
+/// version, and for a hand without an arm, whose goals are in the frame of the human hand.
 std::optional<Eigen::Matrix3d> world_from_base(const std::string& config,
                                                const robot::Robot& robot) {
   if (map::is_hand_only(robot)) return std::nullopt;
@@ -38,14 +38,13 @@ bool any_plan_matches(const std::vector<OpenedRun>& runs, const std::string& pat
 
 std::vector<OpenedRun> open_runs(const ReportRequest& request) {
   std::vector<OpenedRun> runs;
-  for (const ReportRequest::Run& named : request.runs) {
-    OpenedRun run;
-    run.request = named;
-    run.reader = std::make_unique<store::PlanReader>(named.plans);
+  for (const ReportRequest::Run& requested : request.runs) {
+    OpenedRun& run = runs.emplace_back();
+    run.request = requested;
+    run.reader = std::make_unique<store::PlanReader>(requested.plans);
     run.robot = robot::Robot(run.reader->robot());
     run.world_from_base = world_from_base(run.reader->header().config, run.robot);
     run.selected = select_plans(*run.reader, request.selection);
-    runs.push_back(std::move(run));
   }
   const std::string& pattern = request.selection.pattern;
   if (!pattern.empty() && !any_plan_matches(runs, pattern))

@@ -9,20 +9,16 @@
 
 namespace morphe::report {
 
-/// A plans.h5 that is ready for display.
+/// A plans.h5 and what it contains for all its plans.
 struct OpenedRun {
-  /// The request for this run.
   ReportRequest::Run request;
-  /// The open file.
   std::unique_ptr<store::PlanReader> reader;
-  /// The robot of the file.
   robot::Robot robot;
-  /// Rotation of the base, empty if the config does not contain it.
-  std::optional<Eigen::Matrix3d> world_from_base;
-  /// The plans to be shown.
+  std::optional<Eigen::Matrix3d> world_from_base;  ///< rotation; empty if unknown
   SelectedPlans selected;
 };
-/// Opens all runs of a request and selects their plans.
+/// Opens all runs of a request and selects their plans. Throws InputError for a file that cannot be
+/// read, and if no run has a plan of the requested names.
 std::vector<OpenedRun> open_runs(const ReportRequest& request);
 
 }  // namespace morphe::report

@@ -6,8 +6,8 @@
 
 namespace morphe::report {
 
-/// Returns a file of page/ or of a library as embedded in the program at build time: index.html,
-/// style.css, data.js, three.min.js … Asserts that there is a file of that name.
+/// Returns an embedded file of page/ or of a JavaScript library, such as index.html, data.js and
+/// three.min.js. Asserts that there is a file of that name.
 std::string_view page_file(std::string_view name);
 
 /// Returns the modules named in modules.txt as one script: they are concatenated inside a function,

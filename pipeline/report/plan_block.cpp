@@ -1,10 +1,10 @@
 #include "pipeline/report/plan_block.hpp"
 
-#include <algorithm>
-
+#include "core/motion/finding_text.hpp"
 #include "core/store/json_layout.hpp"
 #include "core/store/plan_layout.hpp"
 #include "pipeline/report/numbers_json.hpp"
+#include "stages/repair/repair_strategy.hpp"
 
 namespace morphe::report {
 namespace {
@@ -18,10 +18,10 @@ JointRows rows_of(const std::vector<Vec3>& points) {
 }
 
 JointRows rows_of(const Array2D<Vec3>& points) {
-  JointRows rows(points.rows, 3 * static_cast<Eigen::Index>(points.cols));
+  JointRows rows(points.rows, 3 * points.cols);
   for (std::size_t row = 0; row < points.rows; ++row) {
     for (std::size_t col = 0; col < points.cols; ++col)
-      rows.row(row).segment<3>(3 * static_cast<Eigen::Index>(col)) = points(row, col).transpose();
+      rows.row(row).segment<3>(3 * col) = points(row, col).transpose();
   }
   return rows;
 }
@@ -40,13 +40,6 @@ JointRows rows_of(const Array2D<std::uint8_t>& values) {
   return rows;
 }
 
-template <NamedEnum E>
-std::vector<int> numbers_of(const std::vector<E>& values) {
-  std::vector<int> out;
-  for (const E value : values) out.push_back(static_cast<int>(value));
-  return out;
-}
-
 /// Returns seven columns: position, then the quaternion w x y z.
 JointRows pose_rows(const std::vector<Vec3>& position, const std::vector<Quat>& orientation) {
   JointRows rows(position.size(), 7);
@@ -54,10 +47,9 @@ JointRows pose_rows(const std::vector<Vec3>& position, const std::vector<Quat>& 
   return rows;
 }
 
-std::vector<Vec3> all_without_common_offset(const Goals& goals, const std::vector<Vec3>& points) {
-  std::vector<Vec3> out;
-  for (const Vec3& point : points) out.push_back(without_common_offset(goals, point));
-  return out;
+std::vector<Vec3> all_without_common_offset(const Goals& goals, std::vector<Vec3> points) {
+  for (Vec3& point : points) point = without_common_offset(goals, point);
+  return points;
 }
 
 Array2D<Vec3> all_without_common_offset(const Goals& goals, Array2D<Vec3> points) {
@@ -70,17 +62,16 @@ Json human_json(Block& block, const Goals& goals, const std::vector<double>& spe
   json["time"] = block.column(goals.time, Resolution::kTime_s);
   json["tips"] = block.table(rows_of(goals.tip_position), Resolution::kLength_m);
   json["reachable"] = block.table(rows_of(goals.reachable), 1);
-  const auto points = [&](const char* name, const std::vector<Vec3>& of) {
-    json[name] = block.table(rows_of(all_without_common_offset(goals, of)), Resolution::kLength_m);
+  const auto add_points = [&](const char* name, const auto& points) {
+    json[name] =
+        block.table(rows_of(all_without_common_offset(goals, points)), Resolution::kLength_m);
   };
-  points("shoulder", goals.shoulder_position);
-  points("elbow", goals.elbow_position);
-  points("wrist", goals.wrist_position);
+  add_points("shoulder", goals.shoulder_position);
+  add_points("elbow", goals.elbow_position);
+  add_points("wrist", goals.wrist_position);
   json["wrist_orientation"] =
       block.table(rows_of(goals.wrist_orientation), Resolution::kQuaternion);
-  json["fingers"] =
-      block.table(rows_of(all_without_common_offset(goals, goals.finger_joint_position)),
-                  Resolution::kLength_m);
+  add_points("fingers", goals.finger_joint_position);
   json["speed"] = block.column(speed, Resolution::kError);
   return json;
 }
@@ -92,18 +83,18 @@ Json mapped_json(Block& block, const MappingResult& mapped) {
       {"tip_error", block.table(mapped.tip_error, Resolution::kError)},
       {"tip_orientation_error", block.table(mapped.tip_orientation_error, Resolution::kAngle_rad)},
       {"humanlikeness", block.table(mapped.humanlikeness, Resolution::kError)},
-      {"status", block.integer_column(numbers_of(mapped.status))}};
+      {"status", block.integer_column(mapped.status)}};
 }
 
-Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
+Json nearest_json(Block& block, const RobotModel& robot, const DisplayMotion& motion) {
   std::vector<int> first, second;
   std::vector<double> distance, required;
   JointRows points(motion.nearest.size(), 6);
-  for (std::size_t k = 0; k < motion.nearest.size(); ++k) {
+  for (int k = 0; k < std::ssize(motion.nearest); ++k) {
     const collision::PairSeparation& pair = motion.nearest[k];
     const bool none = pair.capsule < 0;
     first.push_back(pair.capsule);
-    second.push_back(none ? -1 : pair.other_is_object ? capsules + pair.other : pair.other);
+    second.push_back(none ? -1 : body_index(robot, pair));
     distance.push_back(none ? kUnknown : pair.separation.distance);
     required.push_back(none ? kUnknown : pair.required_distance_m);
     auto row = points.row(k);
@@ -121,7 +112,7 @@ Json nearest_json(Block& block, const DisplayMotion& motion, int capsules) {
 
 JointRows target_rows(const DisplayMotion& motion) {
   JointRows rows(motion.target_pose.size(), 7);
-  for (std::size_t k = 0; k < motion.target_pose.size(); ++k) {
+  for (int k = 0; k < std::ssize(motion.target_pose); ++k) {
     auto row = rows.row(k);
     const Pose& pose = motion.target_pose[k];
     if (motion.target_moved[k] == 0)
@@ -134,14 +125,14 @@ JointRows target_rows(const DisplayMotion& motion) {
 
 JointRows touching_rows(const DisplayMotion& motion) {
   JointRows rows(motion.touching_pairs.size(), 3);
-  for (std::size_t k = 0; k < motion.touching_pairs.size(); ++k) {
-    const DisplayMotion::Touch& touch = motion.touching_pairs[k];
-    rows.row(k) << touch.row, touch.capsule, touch.other;
+  for (int k = 0; k < std::ssize(motion.touching_pairs); ++k) {
+    const auto& [row, first, second] = motion.touching_pairs[k];
+    rows.row(k) << row, first, second;
   }
   return rows;
 }
 
-Json motion_json(Block& block, const DisplayMotion& motion, int capsules) {
+Json motion_json(Block& block, const RobotModel& robot, const DisplayMotion& motion) {
   Json json;
   json["name"] = motion.name;
   json["time"] = block.column(motion.time, Resolution::kTime_s);
@@ -152,12 +143,12 @@ Json motion_json(Block& block, const DisplayMotion& motion, int capsules) {
     json["acceleration"] = block.table(motion.acceleration, Resolution::kLimitRatio);
     json["jerk"] = block.table(motion.jerk, Resolution::kLimitRatio);
   }
-  json["phase"] = block.integer_column(numbers_of(motion.phase));
-  json["origin"] = block.integer_column(numbers_of(motion.origin));
+  json["phase"] = block.integer_column(motion.phase);
+  json["origin"] = block.integer_column(motion.origin);
   json["sample"] = block.integer_column(motion.sample);
   if (!motion.clearance.empty())
     json["clearance"] = block.column(motion.clearance, Resolution::kError);
-  json["nearest"] = nearest_json(block, motion, capsules);
+  json["nearest"] = nearest_json(block, robot, motion);
   json["touching"] = block.table(touching_rows(motion), 1);
   json["object_pose"] = block.table(target_rows(motion), Resolution::kLength_m);
   if (motion.tip_error.rows() > 0) {
@@ -173,7 +164,7 @@ Json motion_json(Block& block, const DisplayMotion& motion, int capsules) {
 
 Json objects_json(Block& block, const Scene& scene, const std::vector<std::string>& blocks) {
   Json objects = Json::array();
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+  for (int i = 0; i < std::ssize(scene.objects); ++i) {
     const SceneObject& object = scene.objects[i];
     Json json;
     json["name"] = object.name;
@@ -192,11 +183,11 @@ Json objects_json(Block& block, const Scene& scene, const std::vector<std::strin
 }
 
 Json grasp_time_json(const Plan& plan) {
-  const auto i = static_cast<std::size_t>(plan.grasp.sample);
-  if (i < plan.trajectory.samples())
+  const int i = plan.grasp.sample;
+  if (i < std::ssize(plan.trajectory.time))
     return {{"time_s", plan.trajectory.time[i]},
             {"demonstration_s", plan.trajectory.demonstration_time[i]}};
-  if (i >= plan.path.demonstration_time.size()) return nullptr;
+  if (i >= std::ssize(plan.path.demonstration_time)) return nullptr;
   const double time_s = plan.path.demonstration_time[i];
   return {{"time_s", time_s - plan.path.demonstration_time.front()}, {"demonstration_s", time_s}};
 }
@@ -230,9 +221,7 @@ Json findings_json(const std::vector<Finding>& findings) {
     out.push_back({{"begin_s", finding.begin_s},
                    {"end_s", finding.end_s},
                    {"cause", name_of(finding.cause)},
-                   {"subject", finding.subject},
-                   {"other_body", finding.other_body},
-                   {"excess", finding.excess}});
+                   {"sentence", sentence(finding)}});
   }
   return out;
 }
@@ -259,14 +248,14 @@ Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& vi
   json["mapped"] = mapped_json(block, plan.mapped);
   json["motions"] = Json::array();
   for (const DisplayMotion& motion : view.motions)
-    json["motions"].push_back(motion_json(block, motion, static_cast<int>(robot.capsules.size())));
+    json["motions"].push_back(motion_json(block, robot, motion));
   return block;
 }
 
 Block mesh_block(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
   Block block;
   JointRows corners(triangles.size(), 3);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (int i = 0; i < std::ssize(triangles); ++i)
     corners.row(i) = triangles[i].cast<double>().transpose();
   block.json["vertices"] = block.table(rows_of(vertices), Resolution::kLength_m);
   block.json["triangles"] = block.table(corners, 1);

@@ -12,14 +12,14 @@ namespace morphe::report {
 struct Resolution {
   static constexpr double kAngle_rad = 1e-4;   ///< angles [rad], positions of sliding joints [m]
   static constexpr double kLength_m = 1e-5;    ///< lengths [m]
-  static constexpr double kError = 1e-6;       ///< errors of the tips and clearance [m], [rad]
+  static constexpr double kError = 1e-6;       ///< position errors and distances [m], speeds [m/s]
   static constexpr double kTime_s = 1e-6;      ///< times [s]
   static constexpr double kLimitRatio = 1e-3;  ///< ratio to a limit
   static constexpr double kQuaternion = 1e-5;  ///< components of a unit quaternion
 };
 
-/// Builds the block of a plan in the format of the page (page/README.md). `object_blocks` contains
-/// the name of the mesh block of each object, "" for objects without one.
+/// Builds the block of a plan in the format of the page (page/README.md). `object_blocks` are the
+/// names of the mesh blocks of the scene's objects, in their order, "" for objects without one.
 Block plan_block(const robot::Robot& robot, const Plan& plan, const PlanView& view,
                  const std::vector<std::string>& object_blocks);
 

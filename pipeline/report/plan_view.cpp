@@ -1,11 +1,8 @@
 #include "pipeline/report/plan_view.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "pipeline/explain/advice.hpp"
-#include "pipeline/report/display_motion.hpp"
-#include "pipeline/report/worst_instant.hpp"
 #include "stages/certify/smoothness.hpp"
 
 namespace morphe::report {
@@ -18,7 +15,7 @@ Vec3 first_shoulder(const Goals& goals) {
   return Vec3::Zero();
 }
 
-/// Computes central differences [F], NaN at both ends.
+/// Returns the mean speed of the tips' goals by central differences [F], NaN at both ends.
 std::vector<double> human_speed_of(const Goals& goals) {
   std::vector<double> speed(goals.frames(), kUnknown);
   const std::vector<double> inner = certify::human_speed(goals).speed;
@@ -32,23 +29,23 @@ std::vector<DisplayMotion> motions_of(const robot::Robot& robot, const Plan& pla
   std::vector<DisplayMotion> motions;
   if (plan.has_trajectory()) {
     collision::attach_target(plan.trajectory.demonstration_time, plan.trajectory.position, world);
-    const auto add = [&](const char* name, const Trajectory& trajectory, bool follows) {
+    const auto add = [&](const char* name, const Trajectory& trajectory, bool follows_goals) {
       if (trajectory.samples() > 0)
-        motions.push_back(display_trajectory(name, world, plan, trajectory, follows));
+        motions.push_back(display_trajectory(name, world, plan, trajectory, follows_goals));
     };
     add("approach", plan.approach, false);
     add("trajectory", plan.trajectory, true);
     add("retreat", plan.retreat, false);
     return motions;
   }
-  const bool path = plan.path.position.rows() > 0;
-  const JointRows& position = path ? plan.path.position : plan.mapped.position;
+  const bool has_path = plan.path.position.rows() > 0;
+  const JointRows& position = has_path ? plan.path.position : plan.mapped.position;
   if (position.rows() == 0) return motions;
-  const std::vector<double>& time = path ? plan.path.demonstration_time : plan.goals.time;
+  const std::vector<double>& time = has_path ? plan.path.demonstration_time : plan.goals.time;
   collision::attach_target(time, position, world);
   const std::vector<SampleOrigin> mapped(time.size(), SampleOrigin::mapped);
-  motions.push_back(display_path(path ? "path" : "mapped", world, plan, position, time,
-                                 path ? plan.path.origin : mapped));
+  motions.push_back(display_path(has_path ? "path" : "mapped", world, plan, position, time,
+                                 has_path ? plan.path.origin : mapped));
   return motions;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <sstream>
 
@@ -24,14 +23,12 @@ struct Visual {
   Vec3 scale = Vec3::Ones();
 };
 
-Vec3 numbers_of(const char* text, const Vec3& otherwise) {
-  if (text == nullptr) return otherwise;
-  Vec3 out = otherwise;
-  std::istringstream(text) >> out.x() >> out.y() >> out.z();
-  return out;
+Vec3 parse_vector(const char* text, Vec3 vector) {
+  if (text != nullptr) std::istringstream(text) >> vector.x() >> vector.y() >> vector.z();
+  return vector;
 }
 
-/// All files below a folder, by path and by name, in the order of their paths.
+/// All files below a folder, in the order of their paths.
 struct Folder {
   std::vector<fs::path> files;
 
@@ -44,7 +41,7 @@ struct Folder {
     if (error) throw InputError(fmt::format("{}: cannot be read", folder.string()));
     std::ranges::sort(files);
   }
-  /// Returns the file whose path ends in the longest part of the given name.
+  /// Returns the first file whose path ends in the name, or else in the longest possible end of it.
   fs::path find(std::string name) const {
     if (const auto scheme = name.find("://"); scheme != std::string::npos)
       name.erase(0, scheme + 3);
@@ -60,21 +57,20 @@ struct Folder {
 
  private:
   static bool ends_in(const fs::path& file, const fs::path& tail) {
-    const std::string a = file.string(), b = "/" + tail.string();
-    return a.size() >= b.size() && a.compare(a.size() - b.size(), b.size(), b) == 0;
+    return file.string().ends_with("/" + tail.string());
   }
 };
 
 Visual visual_of(const files::XmlElement& element, const files::XmlElement& mesh,
                  const Folder& folder) {
   Visual visual;
-  const char* named = mesh.Attribute("filename");
-  visual.mesh_name = named == nullptr ? "" : named;
+  const char* name = mesh.Attribute("filename");
+  visual.mesh_name = name == nullptr ? "" : name;
   visual.file = folder.find(visual.mesh_name);
-  visual.scale = numbers_of(mesh.Attribute("scale"), Vec3::Ones());
+  visual.scale = parse_vector(mesh.Attribute("scale"), Vec3::Ones());
   if (const files::XmlElement* origin = element.FirstChildElement("origin")) {
-    const Vec3 rpy = numbers_of(origin->Attribute("rpy"), Vec3::Zero());
-    visual.link_from_mesh.translation() = numbers_of(origin->Attribute("xyz"), Vec3::Zero());
+    const Vec3 rpy = parse_vector(origin->Attribute("rpy"), Vec3::Zero());
+    visual.link_from_mesh.translation() = parse_vector(origin->Attribute("xyz"), Vec3::Zero());
     visual.link_from_mesh.linear() =
         (Eigen::AngleAxisd(rpy.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vec3::UnitY()) *
          Eigen::AngleAxisd(rpy.x(), Vec3::UnitX()))
@@ -83,8 +79,7 @@ Visual visual_of(const files::XmlElement& element, const files::XmlElement& mesh
   return visual;
 }
 
-/// Returns the visuals by the name that a frame may have: that of the link, or of the joint that
-/// carries it.
+/// Returns the visuals of a URDF by the names of their links and of the joints of these.
 std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder& folder) {
   const files::XmlText text(urdf, "robot");
   std::map<std::string, std::string> joint_of_link;
@@ -110,13 +105,13 @@ std::multimap<std::string, Visual> visuals_of(const fs::path& urdf, const Folder
   return visuals;
 }
 
-/// Loads a visual. Returns "" or a description of the error.
+/// Adds the mesh of a visual to `found`. Returns "" or a description of the error.
 std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
   if (visual.file.empty())
     return fmt::format("{}: not found in the folder of meshes", visual.mesh_name);
   SceneObject surface;
-  const std::string wrong = collision::load_raw_mesh(visual.file, surface);
-  if (!wrong.empty()) return fmt::format("{}: {}", visual.file.string(), wrong);
+  const std::string error = collision::load_raw_mesh(visual.file, surface);
+  if (!error.empty()) return fmt::format("{}: {}", visual.file.string(), error);
   FrameMesh mesh;
   mesh.frame = frame;
   for (const Vec3& corner : surface.vertices)
@@ -133,29 +128,29 @@ FoundMeshes find_meshes(const RobotModel& robot, const fs::path& path) {
   std::multimap<std::string, Visual> visuals;
   for (const fs::path& file : folder.files) {
     if (file.extension() != ".urdf") continue;
-    // The first file that contains a name is used.
-    std::multimap<std::string, Visual> of_file = visuals_of(file, folder);
-    std::erase_if(of_file, [&](const auto& entry) { return visuals.contains(entry.first); });
-    visuals.merge(of_file);
+    // Of several URDFs that contain a name, the first is used.
+    std::multimap<std::string, Visual> file_visuals = visuals_of(file, folder);
+    std::erase_if(file_visuals, [&](const auto& entry) { return visuals.contains(entry.first); });
+    visuals.merge(file_visuals);
   }
   FoundMeshes found;
   std::set<std::string> notes;
-  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+  for (int i = 0; i < std::ssize(robot.frames); ++i) {
     const std::string& name = robot.frames[i].name;
-    const auto [from, to] = visuals.equal_range(name);
-    std::vector<Visual> of_frame;
-    for (auto at = from; at != to; ++at) of_frame.push_back(at->second);
-    if (of_frame.empty()) {
+    const auto [begin, end] = visuals.equal_range(name);
+    std::vector<Visual> frame_visuals;
+    for (auto entry = begin; entry != end; ++entry) frame_visuals.push_back(entry->second);
+    if (frame_visuals.empty()) {
       for (const char* extension : {".stl", ".obj", ".dae", ".glb"}) {
         Visual visual;
         visual.mesh_name = name + extension;
         visual.file = folder.find(visual.mesh_name);
-        if (!visual.file.empty()) of_frame.push_back(visual);
+        if (!visual.file.empty()) frame_visuals.push_back(visual);
       }
     }
-    for (const Visual& visual : of_frame) {
-      const std::string wrong = load_into(visual, static_cast<int>(i), found);
-      if (!wrong.empty()) notes.insert(wrong);
+    for (const Visual& visual : frame_visuals) {
+      const std::string error = load_into(visual, i, found);
+      if (!error.empty()) notes.insert(error);
     }
   }
   found.notes.assign(notes.begin(), notes.end());

@@ -10,29 +10,25 @@ namespace morphe::report {
 
 /// The visual mesh of a frame: vertices in the frame [m].
 struct FrameMesh {
-  /// The index of the frame.
   int frame = 0;
-  /// The vertices in the frame [m].
   std::vector<Vec3> vertices;
-  /// The indices of the vertices of each triangle.
-  std::vector<Eigen::Vector3i> triangles;
-  /// Name of its block in the page.
-  std::string block;
+  std::vector<Eigen::Vector3i> triangles;  ///< indices of vertices
+  std::string block;                       ///< name of its block in the page
 };
 
 /// The meshes of a robot and the problems with them.
 struct FoundMeshes {
-  /// The meshes that were found.
   std::vector<FrameMesh> meshes;
-  /// Sentences about meshes that were not found or could not be read.
-  std::vector<std::string> notes;
+  std::vector<std::string> notes;  ///< about meshes that were not found or could not be read
 };
 
-/// Finds meshes of a robot's frames below a folder. From every URDF in it, the visuals of each link
-/// are used whose name, or whose joint's name, is that of a frame (package://P/FILE and other names
-/// are searched as P/FILE, FILE, and by FILE's own name). For frames without such a link,
-/// FRAME.stl, .obj, .dae or .glb is used, in the frame's own axes. Throws InputError if the folder
-/// cannot be read.
+/// Finds meshes of a robot's frames below a folder.
+///   1. From the URDFs in it, those visuals are used whose link, or the joint that moves it, has
+///   the
+///      name of a frame. The first URDF with a name counts. A mesh package://P/DIR/FILE is searched
+///      as P/DIR/FILE, then as DIR/FILE, then as FILE.
+///   2. For other frames, FRAME.stl, .obj, .dae and .glb are used, in the frame's own axes.
+/// Throws InputError if the folder cannot be read.
 FoundMeshes find_meshes(const RobotModel& robot, const std::filesystem::path& folder);
 
 }  // namespace morphe::report

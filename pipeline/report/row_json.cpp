@@ -1,6 +1,6 @@
 #include "pipeline/report/row_json.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "core/motion/goal_interpolation.hpp"
 #include "core/store/json_layout.hpp"
@@ -12,29 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<bool> sliding_joints(const RobotModel& robot) {
-  std::vector<bool> prismatic(robot.joints(), false), known(robot.joints(), false);
-  for (const RobotModel::Frame& frame : robot.frames) {
-    if (frame.joint < 0) continue;
-    const auto joint = static_cast<std::size_t>(frame.joint);
-    if (!known[joint]) prismatic[joint] = frame.prismatic;
-    known[joint] = true;
-  }
-  return prismatic;
-}
-
 Json joints_json(const RobotModel& robot) {
-  const std::vector<bool> prismatic = sliding_joints(robot);
   Json out = Json::array();
-  for (std::size_t i = 0; i < robot.joints(); ++i) {
-    const auto j = static_cast<Eigen::Index>(i);
-    out.push_back({{"name", robot.joint_names[i]},
+  for (int j = 0; j < std::ssize(robot.joint_names); ++j) {
+    const auto frame = std::ranges::find(robot.frames, j, &RobotModel::Frame::joint);
+    out.push_back({{"name", robot.joint_names[j]},
                    {"lower", robot.lower[j]},
                    {"upper", robot.upper[j]},
                    {"velocity", robot.velocity[j]},
                    {"acceleration", robot.acceleration[j]},
                    {"jerk", robot.jerk[j]},
-                   {"prismatic", static_cast<bool>(prismatic[i])}});
+                   {"prismatic", frame != robot.frames.end() && frame->prismatic}});
   }
   return out;
 }
@@ -44,7 +32,7 @@ Json joints_json(const RobotModel& robot) {
 Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path) {
   const GoalCount goals = count_goals(plan.goals);
   store::JsonWriter certificate;
-  if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan.certificate);
+  if (plan.has_trajectory()) store::lay_out_certificate(certificate, plan);
   const bool timed = plan.trajectory.samples() > 0;
   Json row;
   row["plan"] = path;

@@ -8,7 +8,7 @@
 
 namespace morphe::report {
 
-/// Returns the row of a plan on the overview page (page/README.md), with the numbers of the file.
+/// Returns the row of a plan on the overview page (page/README.md), with the exact numbers.
 nlohmann::ordered_json row_json(const RobotModel& robot, const Plan& plan, const std::string& path);
 
 /// Returns the robot in the form from which the page computes its poses.

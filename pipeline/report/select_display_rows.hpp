@@ -7,15 +7,17 @@
 
 namespace morphe::report {
 
-/// Selects the rows of a trajectory to be displayed, in order: the first, the last, one at least
-/// every 1 / rate_hz seconds if the samples are that dense, and the rows with the extreme values of
-/// the whole trajectory: greatest velocity, acceleration and jerk (up to the next row) of each
-/// joint, its least and greatest position, and the least clearance.
+/// Returns the rows of a trajectory to be displayed, in order:
+///   - the first and the last
+///   - one at least every 1 / rate_hz seconds, as far as the samples are that dense
+///   - for each joint, those with the greatest |velocity|, |acceleration| and |jerk| until the next
+///     row, and with the least and the greatest position
+///   - that with the least clearance
 std::vector<int> select_display_rows(const RobotModel& robot, const Trajectory& trajectory,
                                      double rate_hz);
 
-/// Computes, for each joint, the jerk that is greatest in magnitude up to the next row [T - 1, n],
-/// as a signed ratio to its limit.
+/// Returns the jerk of greatest magnitude until the next row, as a signed ratio to its limit [T -
+/// 1, n].
 JointRows jerk_ratios(const RobotModel& robot, const Trajectory& trajectory);
 
 }  // namespace morphe::report

@@ -21,52 +21,56 @@ double unreachable_share(const Plan& plan) {
 /// A measure by which plans are ranked; larger values are worse.
 struct RankingMeasure {
   const char* name;
-  double (*of)(const Plan&);
+  double (*value)(const Plan&);
 };
 
 constexpr std::array<RankingMeasure, 7> kRankingMeasures{{
     {"tip_error_max", [](const Plan& plan) { return plan.certificate.tip_error_max; }},
     {"tip_error_grasp", [](const Plan& plan) { return plan.certificate.tip_error_grasp; }},
     {"clearance", [](const Plan& plan) { return -plan.certificate.clearance; }},
-    {"tempo", [](const Plan& plan) { return std::abs(std::log(plan.certificate.duration_ratio)); }},
+    {"duration_ratio",
+     [](const Plan& plan) { return std::abs(std::log(plan.certificate.duration_ratio)); }},
     {"upper_arm_error", [](const Plan& plan) { return plan.certificate.upper_arm_error_mean; }},
     {"humanlikeness", [](const Plan& plan) { return plan.certificate.humanlikeness_final; }},
     {"unreachable_share", unreachable_share},
 }};
 
-std::vector<std::size_t> select_worst(const std::vector<std::size_t>& plans,
-                                      const std::vector<double>& badness, std::size_t count) {
-  std::vector<std::size_t> order(plans.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto rank = [&](std::size_t i) { return std::isnan(badness[i]) ? -kInfinity : badness[i]; };
+/// Returns the `count` plans with the greatest values, in the order of `plans`.
+std::vector<int> select_worst(const std::vector<int>& plans, const std::vector<double>& values,
+                              int count) {
+  std::vector<int> order(plans.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto rank = [&](int i) { return std::isnan(values[i]) ? -kInfinity : values[i]; };
   std::ranges::stable_sort(order, std::ranges::greater{}, rank);
-  order.resize(std::min(count, order.size()));
+  if (count < std::ssize(order)) order.resize(count);
   std::ranges::sort(order);
-  std::vector<std::size_t> chosen;
-  for (const std::size_t i : order) chosen.push_back(plans[i]);
-  return chosen;
+  std::vector<int> selected;
+  for (const int i : order) selected.push_back(plans[i]);
+  return selected;
 }
 
 std::string left_out_sentence(const Selection& selection, std::size_t all, std::size_t matching,
                               std::size_t shown) {
   if (shown == all) return "";
-  std::string what =
-      selection.worst_count > 0 && shown < matching
-          ? fmt::format("the {} worst by {}", selection.worst_count, selection.ranking_measure)
-          : "those";
-  if (what != "those" && (!selection.pattern.empty() || selection.infeasible_only))
-    what += " of those";
-  if (!selection.pattern.empty()) what += fmt::format(" with the name {}", selection.pattern);
-  if (selection.infeasible_only) what += " that are infeasible";
+  const bool is_ranked = selection.worst_count > 0 && shown < matching;
+  std::string description = "those";
+  if (is_ranked) {
+    description =
+        fmt::format("the {} worst by {}", selection.worst_count, selection.ranking_measure);
+    if (!selection.pattern.empty() || selection.infeasible_only) description += " of those";
+  }
+  if (!selection.pattern.empty())
+    description += fmt::format(" with the name {}", selection.pattern);
+  if (selection.infeasible_only) description += " that are infeasible";
   return fmt::format("{} of {} are hidden; shown are {}", all - shown, count_with_noun(all, "plan"),
-                     what);
+                     description);
 }
 
 }  // namespace
 
 std::vector<std::string> ranking_measure_names() {
   std::vector<std::string> names;
-  for (const RankingMeasure& badness : kRankingMeasures) names.emplace_back(badness.name);
+  for (const RankingMeasure& measure : kRankingMeasures) names.emplace_back(measure.name);
   return names;
 }
 
@@ -81,24 +85,24 @@ bool matches_pattern(std::string_view name, std::string_view pattern) {
 }
 
 SelectedPlans select_plans(const store::PlanReader& reader, const Selection& selection) {
-  const auto by =
+  const auto measure =
       std::ranges::find(kRankingMeasures, selection.ranking_measure, &RankingMeasure::name);
-  const bool look_inside = selection.infeasible_only || selection.worst_count > 0;
+  const bool reads_plans = selection.infeasible_only || selection.worst_count > 0;
   SelectedPlans selected;
-  std::vector<double> badness;
-  for (std::size_t i = 0; i < reader.size(); ++i) {
-    if (!selection.pattern.empty() && !matches_pattern(reader.plan_paths()[i], selection.pattern))
-      continue;
-    if (look_inside) {
+  std::vector<double> values;
+  const std::vector<std::string>& paths = reader.plan_paths();
+  for (int i = 0; i < std::ssize(paths); ++i) {
+    if (!selection.pattern.empty() && !matches_pattern(paths[i], selection.pattern)) continue;
+    if (reads_plans) {
       const Plan plan = reader.read(i);
       if (selection.infeasible_only && plan.has_trajectory()) continue;
-      if (selection.worst_count > 0) badness.push_back(by->of(plan));
+      if (selection.worst_count > 0) values.push_back(measure->value(plan));
     }
     selected.plans.push_back(i);
   }
   const std::size_t matching = selected.plans.size();
   if (selection.worst_count > 0)
-    selected.plans = select_worst(selected.plans, badness, selection.worst_count);
+    selected.plans = select_worst(selected.plans, values, selection.worst_count);
   selected.left_out = left_out_sentence(selection, reader.size(), matching, selected.plans.size());
   return selected;
 }

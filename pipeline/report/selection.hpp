@@ -9,23 +9,23 @@ namespace morphe::report {
 
 /// A selection of the plans of a file.
 struct Selection {
-  std::string pattern;  ///< pattern for "<demonstration>/<000>" with wildcards * and ?, "" for all
-  bool infeasible_only = false;  ///< true to select only infeasible plans
-  int worst_count = 0;           ///< number of plans that are worst by `ranking_measure`, 0 for all
-  std::string ranking_measure;   ///< one of ranking_measure_names()
+  std::string pattern;  ///< of "<demonstration>/<000>", with wildcards * and ?; "": all
+  bool infeasible_only = false;
+  int worst_count = 0;          ///< number of plans that are worst by `ranking_measure`; 0: all
+  std::string ranking_measure;  ///< one of ranking_measure_names() if worst_count > 0
 };
 
-/// Returns tips, grasp, clearance, tempo, upper_arm, humanlikeness and out_of_reach.
+/// Returns the measures by which plans can be ranked: tip_error_max, tip_error_grasp, clearance,
+/// duration_ratio, upper_arm_error, humanlikeness and unreachable_share.
 std::vector<std::string> ranking_measure_names();
 
 /// The selected plans of a file.
 struct SelectedPlans {
-  std::vector<std::size_t> plans;  ///< indices in the file, in its order
-  std::string left_out;  ///< sentence about omitted plans, "" if there are no omitted plans
+  std::vector<int> plans;  ///< indices in the file, in its order
+  std::string left_out;    ///< sentence about omitted plans, or ""
 };
-/// Selects plans, reading them only as far as the selection depends on their content. If only the
-/// worst are selected, plans without a value come last, and of equal plans the earlier one counts
-/// as worse.
+/// Selects plans, which are read only if the selection depends on their content. Of plans with
+/// equal values the earlier counts as worse; plans without a value count as best.
 SelectedPlans select_plans(const store::PlanReader& reader, const Selection& selection);
 
 /// Returns true if a name matches a pattern of * and ?.

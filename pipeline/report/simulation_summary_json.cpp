@@ -15,26 +15,26 @@ using Json = nlohmann::ordered_json;
 
 Json summary_of(const simulate::StoredResult& stored) {
   const simulate::PlanResult& result = stored.result;
-  const simulate::SimulationSummary figures = simulate::summarise(result);
+  const simulate::SimulationSummary summary = simulate::summarise(result);
   Json json = {{"skip_reason", name_of(result.skip_reason)},
                {"detail", result.detail},
                {"engine", stored.engine},
                {"contact_source", name_of(result.contact_source)},
                {"rollouts", result.rollouts.size()},
-               {"held", figures.held},
-               {"failures", figures.failures},
-               {"load_directions", figures.load_directions},
-               {"load_directions_held", figures.load_directions_held},
-               {"direction_failures", figures.direction_failures}};
+               {"held", summary.held},
+               {"failures", summary.failures},
+               {"load_directions", summary.load_directions},
+               {"load_directions_held", summary.load_directions_held},
+               {"direction_failures", summary.direction_failures}};
   const auto add = [&](const char* name, double value) { json[name] = number_json(value); };
-  add("droop_m", figures.droop_m);
-  add("slip_m", figures.slip_m);
-  add("drift_m", figures.drift_m);
-  add("arm_error", figures.arm_error);
-  add("hand_error", figures.hand_error);
-  add("torque_ratio", figures.torque_ratio);
-  add("required_force_N", figures.required_force_N);
-  add("commanded_force_N", figures.commanded_force_N);
+  add("droop_m", summary.droop_m);
+  add("slip_m", summary.slip_m);
+  add("drift_m", summary.drift_m);
+  add("arm_error", summary.arm_error);
+  add("hand_error", summary.hand_error);
+  add("torque_ratio", summary.torque_ratio);
+  add("required_force_N", summary.required_force_N);
+  add("commanded_force_N", summary.commanded_force_N);
   const simulate::Variation first =
       result.rollouts.empty() ? simulate::Variation() : result.rollouts.front().variation;
   add("friction", first.friction);
@@ -48,21 +48,21 @@ Json summary_of(const simulate::StoredResult& stored) {
 std::vector<fs::path> simulation_folders(const std::vector<fs::path>& named,
                                          const fs::path& plans) {
   if (!named.empty()) return named;
-  const fs::path beside = plans.parent_path() / "physics";
-  return fs::is_directory(beside) ? std::vector{beside} : std::vector<fs::path>();
+  const fs::path default_folder = plans.parent_path() / "physics";
+  return fs::is_directory(default_folder) ? std::vector{default_folder} : std::vector<fs::path>();
 }
 
 Json simulation_summary_json(const std::vector<fs::path>& folders, const RobotModel& robot,
                              const Plan& plan, std::vector<std::string>& notes) {
   const std::string name = fmt::format("{}_{:03}.json", plan.demonstration, plan.movement.index);
-  bool other = false;
+  bool found_other_plan = false;
   for (const fs::path& folder : folders) {
     if (!fs::is_regular_file(folder / name)) continue;
     const simulate::StoredResult stored = simulate::load_result(folder / name);
     if (stored.result.plan_sha256 == store::fingerprint(robot, plan)) return summary_of(stored);
-    other = true;
+    found_other_plan = true;
   }
-  if (other)
+  if (found_other_plan)
     notes.push_back(fmt::format("{}/{:03}: skipped: the simulation belongs to another plan",
                                 plan.demonstration, plan.movement.index));
   return nullptr;

@@ -15,9 +15,9 @@ namespace morphe::report {
 std::vector<std::filesystem::path> simulation_folders(
     const std::vector<std::filesystem::path>& named, const std::filesystem::path& plans);
 
-/// Summarises the rollouts of a plan (page/README.md) from the first folder that has results of
-/// exactly this plan, null if there is no such folder. A result of a different plan with the same
-/// name is left out with a note. Throws InputError if a file of that name is not a result.
+/// Returns a summary of the rollouts of a plan (page/README.md), from the first folder with a
+/// result of exactly this plan; null without one. If a file of its name has the result of
+/// another plan instead, a note is appended. Throws InputError if such a file is not a result.
 nlohmann::ordered_json simulation_summary_json(const std::vector<std::filesystem::path>& folders,
                                                const RobotModel& robot, const Plan& plan,
                                                std::vector<std::string>& notes);

@@ -51,12 +51,6 @@ void Svg::polyline(const std::vector<Vec2>& points, double width, std::string_vi
                        path, colour, width, dashed(dash));
 }
 
-void Svg::dot(const Vec2& centre, double radius, std::string_view colour) {
-  if (!centre.allFinite()) return;
-  text_ += fmt::format("<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"/>\n",
-                       centre.x(), centre.y(), radius, colour);
-}
-
 void Svg::ring(const Vec2& centre, double radius, double width, std::string_view colour) {
   if (!centre.allFinite()) return;
   text_ += fmt::format(
@@ -65,12 +59,12 @@ void Svg::ring(const Vec2& centre, double radius, double width, std::string_view
       centre.x(), centre.y(), radius, colour, width);
 }
 
-void Svg::text(const Vec2& at, double size, std::string_view anchor, std::string_view words,
+void Svg::text(const Vec2& position, double size, std::string_view anchor, std::string_view text,
                std::string_view colour) {
   text_ += fmt::format(
       "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.1f}\" text-anchor=\"{}\" "
       "fill=\"{}\">{}</text>\n",
-      at.x(), at.y(), size, anchor, colour, files::escape_xml(words));
+      position.x(), position.y(), size, anchor, colour, files::escape_xml(text));
 }
 
 void Svg::begin_clip(const Vec2& corner, const Vec2& size) {

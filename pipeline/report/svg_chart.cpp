@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace morphe::report {
 namespace {
@@ -15,12 +14,11 @@ struct Axis {
   double low = 0, high = 1, step = 0.5;
 };
 
-/// Returns a step of 1, 2 or 5 times a power of ten that divides the span into at most `steps`
-/// parts.
+/// Returns the least 1, 2 or 5 times a power of ten that is at least span / steps; both positive.
 double round_step(double span, int steps) {
-  const double least = span / steps, power = std::pow(10, std::floor(std::log10(least)));
+  const double min_step = span / steps, power = std::pow(10, std::floor(std::log10(min_step)));
   for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least) return factor * power;
+    if (factor * power >= min_step) return factor * power;
   }
   return 10 * power;
 }
@@ -31,7 +29,7 @@ Axis axis_of(double low, double high, int steps) {
 }
 
 struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = kInfinity, high = -kInfinity;
   void add(double x) {
     if (!std::isfinite(x)) return;
     low = std::min(low, x);
@@ -43,45 +41,47 @@ struct Range {
 
 void draw_chart(Svg& svg, const Vec2& corner, const Vec2& size, std::string_view title,
                 const std::vector<ChartLine>& lines, const std::vector<double>& marks) {
-  Range over, up;
-  up.add(0);
+  Range x_range, y_range;
+  y_range.add(0);
   for (const ChartLine& line : lines) {
-    for (const double x : line.x) over.add(x);
-    for (const double y : line.y) up.add(y);
+    for (const double x : line.x) x_range.add(x);
+    for (const double y : line.y) y_range.add(y);
   }
-  if (over.low > over.high) over = {0, 1};
-  const Axis x_axis = axis_of(over.low, over.high, 8), y_axis = axis_of(0, 1.06 * up.high, 4);
+  if (x_range.low > x_range.high) x_range = {0, 1};
+  const Axis x_axis = axis_of(x_range.low, x_range.high, 8);
+  const Axis y_axis = axis_of(0, 1.06 * y_range.high, 4);
   const Vec2 low = corner + Vec2(38, 22), high = corner + size - Vec2(8, 30);
-  const auto place = [&](double x, double y) {
-    const double right = (x - x_axis.low) / (x_axis.high - x_axis.low);
-    const double above = (y - y_axis.low) / (y_axis.high - y_axis.low);
-    return Vec2(low.x() + right * (high.x() - low.x()), high.y() - above * (high.y() - low.y()));
+  const auto pixel = [&](double x, double y) {
+    const double x_share = (x - x_axis.low) / (x_axis.high - x_axis.low);
+    const double y_share = (y - y_axis.low) / (y_axis.high - y_axis.low);
+    return Vec2(low.x() + x_share * (high.x() - low.x()),
+                high.y() - y_share * (high.y() - low.y()));
   };
   svg.text(corner + Vec2(4, 12), kFontSize_px + 1, "start", title);
   for (int k = 0; k * y_axis.step <= y_axis.high; ++k) {
     const double y = k * y_axis.step;
-    const Vec2 at = place(x_axis.low, y);
-    svg.line(at, place(x_axis.high, y), 0.5, k == 0 ? Colours::kInk : Colours::kObject);
-    svg.text(at + Vec2(-5, 4), kFontSize_px, "end", fmt::format("{:.6g}", y));
+    const Vec2 left = pixel(x_axis.low, y);
+    svg.line(left, pixel(x_axis.high, y), 0.5, k == 0 ? Colours::kInk : Colours::kObject);
+    svg.text(left + Vec2(-5, 4), kFontSize_px, "end", fmt::format("{:.6g}", y));
   }
   const double first = std::ceil(x_axis.low / x_axis.step - 1e-9);
   for (int k = 0; (first + k) * x_axis.step <= x_axis.high + 1e-9; ++k) {
     const double x = (first + k) * x_axis.step;
-    const Vec2 at = place(x, 0);
-    svg.line(at, at + Vec2(0, 4), 0.5, Colours::kInk);
-    svg.text(at + Vec2(0, 16), kFontSize_px, "middle", fmt::format("{:.6g}", x));
+    const Vec2 tick = pixel(x, 0);
+    svg.line(tick, tick + Vec2(0, 4), 0.5, Colours::kInk);
+    svg.text(tick + Vec2(0, 16), kFontSize_px, "middle", fmt::format("{:.6g}", x));
   }
   svg.text({high.x(), high.y() + 28}, kFontSize_px, "end", "time [s]");
-  for (const double x : marks) svg.line(place(x, 0), place(x, y_axis.high), 0.6, Colours::kFaint);
-  double next = low.x() + 8;
+  for (const double x : marks) svg.line(pixel(x, 0), pixel(x, y_axis.high), 0.6, Colours::kFaint);
+  double legend_x = low.x() + 8;
   for (const ChartLine& line : lines) {
     std::vector<Vec2> points;
-    for (std::size_t i = 0; i < line.x.size(); ++i) points.push_back(place(line.x[i], line.y[i]));
+    for (int i = 0; i < std::ssize(line.x); ++i) points.push_back(pixel(line.x[i], line.y[i]));
     svg.polyline(points, 1.5, line.colour, line.dash);
-    const Vec2 at(next, high.y() + 25);
-    svg.polyline({at, at + Vec2(20, 0)}, 1.5, line.colour, line.dash);
-    svg.text(at + Vec2(24, 4), kFontSize_px, "start", line.name);
-    next += 44 + 6.2 * static_cast<double>(line.name.size());
+    const Vec2 legend(legend_x, high.y() + 25);
+    svg.polyline({legend, legend + Vec2(20, 0)}, 1.5, line.colour, line.dash);
+    svg.text(legend + Vec2(24, 4), kFontSize_px, "start", line.name);
+    legend_x += 44 + 6.2 * static_cast<double>(line.name.size());
   }
 }
 

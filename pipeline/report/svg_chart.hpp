@@ -10,16 +10,13 @@ namespace morphe::report {
 
 /// A line of a chart.
 struct ChartLine {
-  /// The name of the line.
   std::string name;
-  /// Coordinates; NaN leaves a gap.
-  std::vector<double> x, y;
-  /// The colour and the dash pattern.
+  std::vector<double> x, y;  ///< time [s] and value; NaN leaves a gap
   std::string_view colour, dash;
 };
 
-/// Draws lines over a common x, from y = 0 up, with ticks at round numbers and the names of the
-/// lines on top. `marks` are x values at which a thin line is drawn.
+/// Draws lines over a common time axis, with y from 0 to the largest value, ticks at round numbers
+/// and the names of the lines below. `marks` are times at which a thin vertical line is drawn.
 void draw_chart(Svg& svg, const Vec2& corner, const Vec2& size, std::string_view title,
                 const std::vector<ChartLine>& lines, const std::vector<double>& marks);
 

@@ -1,12 +1,23 @@
 #pragma once
 
-#include "pipeline/report/plan_view.hpp"
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/report/display_motion.hpp"
 
 namespace morphe::report {
 
+/// The instant at which an infeasible plan fails, with a description of the failure.
+struct WorstInstant {
+  double demonstration_s = 0;  ///< time in the recording
+  std::string sentence;
+};
+
 /// Finds the instant of an infeasible plan at which the condition named by its reason is violated
-/// most: the least slack, the tip farthest beyond its tolerance, or the deepest finding. Returns an
-/// empty value if no motion was planned or if the reason does not refer to an instant.
+/// most: that of the least slack for a collision, of the tip farthest beyond its tolerance for
+/// goals that are missed. For other reasons, or if the motions violate no such condition, it is the
+/// middle of the mapped path's worst finding; nullopt without findings.
 std::optional<WorstInstant> worst_instant(const robot::Robot& robot, const Plan& plan,
                                           const std::vector<DisplayMotion>& motions);
 

@@ -13,7 +13,7 @@ std::vector<std::string> write_filmstrips(const ReportRequest& request,
   const std::vector<OpenedRun> runs = open_runs(request);
   std::vector<std::string> names;
   for (const OpenedRun& run : runs) {
-    for (const std::size_t k : run.selected.plans) {
+    for (const int k : run.selected.plans) {
       const std::string& path = run.reader->plan_paths()[k];
       std::string name = runs.size() > 1 ? fmt::format("{}_{}.svg", run.request.name, path)
                                          : fmt::format("{}.svg", path);

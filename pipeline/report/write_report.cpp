@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// The page as an output stream that records write errors.
+/// The page as an output stream. A write error is thrown as InputError by block() or finish().
 class PageWriter {
  public:
   explicit PageWriter(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {
@@ -50,9 +50,7 @@ class PageWriter {
   std::ofstream stream_;
 };
 
-std::string block_id(std::size_t run, std::size_t plan) {
-  return fmt::format("plan-{}-{}", run, plan);
-}
+std::string block_id(int run, int plan) { return fmt::format("plan-{}-{}", run, plan); }
 
 std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", files::encode_base64(files::sha256_bytes(text)));
@@ -103,9 +101,9 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
 void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request, PageWriter& page,
                 std::vector<std::string>& notes) {
   page.add("<script type=\"application/json\" id=\"rows\">[");
-  bool first = true;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    for (const std::size_t k : runs[r].selected.plans) {
+  const char* separator = "\n";
+  for (int r = 0; r < std::ssize(runs); ++r) {
+    for (const int k : runs[r].selected.plans) {
       Json row;
       row["run"] = r;
       row["block"] = block_id(r, k);
@@ -113,9 +111,9 @@ void write_rows(const std::vector<OpenedRun>& runs, const ReportRequest& request
       row.update(row_json(runs[r].robot, plan, runs[r].reader->plan_paths()[k]));
       row["physics"] = simulation_summary_json(
           simulation_folders(request.physics, runs[r].request.plans), runs[r].robot, plan, notes);
-      page.add(first ? "\n" : ",\n");
+      page.add(separator);
       page.add(json_text(row));
-      first = false;
+      separator = ",\n";
     }
   }
   page.add("\n]</script>\n");
@@ -125,8 +123,8 @@ struct NamedBlock {
   std::string id, text;
 };
 
-/// Returns the meshes of a scene. Each is named by the hash of its content, so that plans share
-/// them.
+/// Returns a block for each object of a scene, empty unless it is a mesh. Blocks are named by the
+/// hash of their content, so that plans share them.
 std::vector<NamedBlock> object_blocks(const Scene& scene) {
   constexpr std::size_t kHashLength = 16;
   std::vector<NamedBlock> blocks;
@@ -151,16 +149,16 @@ std::vector<NamedBlock> blocks_of(const OpenedRun& run, const std::string& id, c
   return blocks;
 }
 
-void write_plans(const OpenedRun& run, std::size_t r, int jobs, std::set<std::string>& written,
+void write_plans(const OpenedRun& run, int r, int jobs, std::set<std::string>& written,
                  PageWriter& page) {
   struct Item {
-    std::size_t index;
+    int index;
     Plan plan;
   };
   parallel::OrderedParallelMap<Item, std::vector<NamedBlock>> map;
-  map.next = [&, next = std::size_t{0}]() mutable -> std::unique_ptr<Item> {
-    if (next == run.selected.plans.size()) return nullptr;
-    const std::size_t index = run.selected.plans[next++];
+  map.next = [&, next = 0]() mutable -> std::unique_ptr<Item> {
+    if (next == std::ssize(run.selected.plans)) return nullptr;
+    const int index = run.selected.plans[next++];
     return std::make_unique<Item>(Item{index, run.reader->read(index)});
   };
   map.work = [&](const Item& item) {
@@ -175,12 +173,12 @@ void write_plans(const OpenedRun& run, std::size_t r, int jobs, std::set<std::st
   parallel::run(map, jobs);
 }
 
-/// Removes and returns the text before a given comment, and removes the comment as well.
+/// Removes the text before a comment, and the comment, from `rest`. Returns the text.
 std::string_view take_until(std::string_view& rest, std::string_view comment) {
-  const std::size_t at = rest.find(comment);
-  assert(at != std::string_view::npos);
-  const std::string_view before = rest.substr(0, at);
-  rest.remove_prefix(at + comment.size());
+  const std::size_t position = rest.find(comment);
+  assert(position != std::string_view::npos);
+  const std::string_view before = rest.substr(0, position);
+  rest.remove_prefix(position + comment.size());
   return before;
 }
 
@@ -198,25 +196,23 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   }
   report["runs"] = Json::array();
   std::vector<NamedBlock> robot_blocks;
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    std::vector<FrameMesh> meshes;
-    if (!request.meshes.empty()) {
-      FoundMeshes found = find_meshes(runs[r].robot, request.meshes);
-      for (FrameMesh& mesh : found.meshes) {
-        mesh.block = fmt::format("robot-{}-{}", r, meshes.size());
-        robot_blocks.push_back({mesh.block, mesh_block(mesh.vertices, mesh.triangles).to_base64()});
-        meshes.push_back(std::move(mesh));
-      }
-      for (const std::string& note : found.notes) summary.notes.push_back(note);
+  for (int r = 0; r < std::ssize(runs); ++r) {
+    FoundMeshes found;
+    if (!request.meshes.empty()) found = find_meshes(runs[r].robot, request.meshes);
+    for (int k = 0; k < std::ssize(found.meshes); ++k) {
+      FrameMesh& mesh = found.meshes[k];
+      mesh.block = fmt::format("robot-{}-{}", r, k);
+      robot_blocks.push_back({mesh.block, mesh_block(mesh.vertices, mesh.triangles).to_base64()});
     }
-    report["runs"].push_back(run_json(runs[r], meshes));
+    summary.notes.insert(summary.notes.end(), found.notes.begin(), found.notes.end());
+    report["runs"].push_back(run_json(runs[r], found.meshes));
     summary.shown += runs[r].selected.plans.size();
     const std::string& left_out = runs[r].selected.left_out;
     if (!left_out.empty()) summary.notes.push_back(left_out);
   }
 
-  files::AtomicFile whole(file);
-  PageWriter page(whole.part());
+  files::AtomicFile finished(file);
+  PageWriter page(finished.part());
   const PageParts parts;
   std::string_view rest = page_file("index.html");
   page.add(take_until(rest, "<!--policy-->"));
@@ -235,11 +231,10 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   page.add(take_until(rest, "<!--blocks-->"));
   for (const NamedBlock& block : robot_blocks) page.block(block.id, block.text);
   std::set<std::string> written;
-  for (std::size_t r = 0; r < runs.size(); ++r)
-    write_plans(runs[r], r, request.jobs, written, page);
+  for (int r = 0; r < std::ssize(runs); ++r) write_plans(runs[r], r, request.jobs, written, page);
   page.add(rest);
   page.finish();
-  whole.commit();
+  finished.commit();
   return summary;
 }
 

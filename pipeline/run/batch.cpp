@@ -9,27 +9,27 @@
 #include <vector>
 
 #include "core/motion/count_with_noun.hpp"
+#include "core/motion/input_error.hpp"
 #include "core/parallel/ordered_parallel_map.hpp"
 
 namespace morphe::run {
 namespace {
 
-/// Counts the fingertip goals of the mapped frames, and those that the robot cannot reach.
 void count_goals(const Plan& plan, BatchSummary& summary) {
   const JointRows& errors = plan.mapped.tip_error;
   for (Eigen::Index f = 0; f < errors.rows(); ++f) {
     for (Eigen::Index tip = 0; tip < errors.cols(); ++tip) {
       if (std::isnan(errors(f, tip))) continue;
       ++summary.goals;
-      if (!plan.goals.reachable(f, tip)) ++summary.out_of_reach;
+      summary.out_of_reach += plan.goals.reachable(f, tip) ? 0 : 1;
     }
   }
 }
 
 double total_cpu_s(const BatchSummary& summary) {
-  double sum = 0;
-  for (const auto& [stage, seconds] : summary.stage_cpu_s) sum += seconds;
-  return sum;
+  double sum_s = 0;
+  for (const auto& [stage, cpu_s] : summary.stage_cpu_s) sum_s += cpu_s;
+  return sum_s;
 }
 
 }  // namespace
@@ -40,18 +40,13 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
   summary.failed = outcome.error.empty() ? 0 : 1;
   for (const Plan& plan : outcome.plans) {
     ++summary.movements;
-    switch (plan.status()) {
-      case Status::executable:
-        ++summary.executable;
-        summary.repaired += plan.certificate.repaired ? 1 : 0;
-        break;
-      case Status::approximate:
-        ++summary.approximate;
-        break;
-      case Status::infeasible:
-        ++summary.infeasible;
-        ++summary.reasons[std::string(name_of(plan.reason))];
-        break;
+    const Status status = plan.status();
+    if (status == Status::executable) ++summary.executable;
+    if (status == Status::executable && plan.repaired) ++summary.repaired;
+    if (status == Status::approximate) ++summary.approximate;
+    if (status == Status::infeasible) {
+      ++summary.infeasible;
+      ++summary.reasons[std::string(name_of(plan.reason))];
     }
     if (plan.mapped.position.rows() > 0) ++summary.mapped;
     summary.frames += plan.mapped.position.rows();
@@ -123,33 +118,72 @@ std::string summary_sentence(const BatchSummary& summary) {
 }
 
 double frames_per_cpu_second(const BatchSummary& summary) {
-  const double seconds = total_cpu_s(summary);
-  return seconds > 0 ? static_cast<double>(summary.frames) / seconds : 0;
+  const double cpu_s = total_cpu_s(summary);
+  return cpu_s > 0 ? static_cast<double>(summary.frames) / cpu_s : 0;
 }
 
 std::map<std::string, double> stage_ms_per_movement(const BatchSummary& summary) {
   std::map<std::string, double> ms;
   if (summary.mapped == 0) return ms;
-  for (const auto& [stage, seconds] : summary.stage_cpu_s)
-    ms[stage] = 1e3 * seconds / static_cast<double>(summary.mapped);
+  for (const auto& [stage, cpu_s] : summary.stage_cpu_s)
+    ms[stage] = 1e3 * cpu_s / static_cast<double>(summary.mapped);
   return ms;
 }
 
 std::string speed_text(const BatchSummary& summary) {
   if (summary.mapped == 0) return "";
-  const std::map<std::string, double> by_stage = stage_ms_per_movement(summary);
-  std::vector<std::pair<std::string, double>> steps(by_stage.begin(), by_stage.end());
-  std::ranges::stable_sort(steps, std::ranges::greater{}, &std::pair<std::string, double>::second);
+  using Stage = std::pair<std::string, double>;
+  const std::map<std::string, double> by_name = stage_ms_per_movement(summary);
+  std::vector<Stage> stages(by_name.begin(), by_name.end());
+  std::ranges::stable_sort(stages, std::ranges::greater{}, &Stage::second);
   std::string text =
       fmt::format("{}; {:.0f} frames/s per core; {:.0f} ms per movement",
                   count_with_noun(summary.frames, "frame"), frames_per_cpu_second(summary),
                   1e3 * total_cpu_s(summary) / static_cast<double>(summary.mapped));
-  const char* before = ": ";
-  for (const auto& [stage, ms] : steps) {
-    if (ms < 0.5) continue;
-    text += fmt::format("{}{} {:.0f}", std::exchange(before, ", "), stage, ms);
-  }
+  const char* separator = ": ";
+  for (const auto& [stage, ms] : stages)
+    if (ms >= 0.5) text += fmt::format("{}{} {:.0f}", std::exchange(separator, ", "), stage, ms);
   return text;
+}
+
+std::string serialize_summary(const BatchSummary& s) {
+  return nlohmann::json{{"demonstrations", s.demonstrations},
+                        {"movements", s.movements},
+                        {"executable", s.executable},
+                        {"approximate", s.approximate},
+                        {"infeasible", s.infeasible},
+                        {"repaired", s.repaired},
+                        {"failed", s.failed},
+                        {"reasons", s.reasons},
+                        {"stage_cpu_s", s.stage_cpu_s},
+                        {"mapped", s.mapped},
+                        {"frames", s.frames},
+                        {"goals", s.goals},
+                        {"out_of_reach", s.out_of_reach}}
+      .dump();
+}
+
+BatchSummary deserialize_summary(const std::string& text) {
+  BatchSummary s;
+  try {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    json.at("demonstrations").get_to(s.demonstrations);
+    json.at("movements").get_to(s.movements);
+    json.at("executable").get_to(s.executable);
+    s.approximate = json.value("approximate", 0);  // absent in journals of earlier versions
+    json.at("infeasible").get_to(s.infeasible);
+    json.at("repaired").get_to(s.repaired);
+    json.at("failed").get_to(s.failed);
+    json.at("reasons").get_to(s.reasons);
+    json.at("stage_cpu_s").get_to(s.stage_cpu_s);
+    s.mapped = json.value("mapped", std::int64_t{0});  // absent there as well
+    s.frames = json.value("frames", std::int64_t{0});
+    json.at("goals").get_to(s.goals);
+    json.at("out_of_reach").get_to(s.out_of_reach);
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("is not a summary of a demonstration");
+  }
+  return s;
 }
 
 std::string summary_json(const BatchSummary& summary) {

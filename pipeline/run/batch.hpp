@@ -11,38 +11,28 @@
 
 namespace morphe::run {
 
-/// The outcome of one demonstration: a plan for each of its movements, or the reason for which it
-/// could not be processed at all.
+/// The outcome of a demonstration: a plan for each movement, or why it could not be processed.
 struct DemonstrationOutcome {
-  /// The name of the demonstration.
-  std::string demonstration;
-  /// The plans, one for each movement.
-  std::vector<Plan> plans;
-  /// The error, "" unless the demonstration failed.
-  std::string error;
-  /// The processor time of each stage [s]. It is used for the summary only.
-  std::map<std::string, double> stage_cpu_s;
+  std::string demonstration;                  ///< its name
+  std::vector<Plan> plans;                    ///< one for each movement
+  std::string error;                          ///< "" unless the demonstration failed
+  std::map<std::string, double> stage_cpu_s;  ///< processor time, for the summary only
 };
 
-/// The counts over a run, as `morphe run --json` prints them.
+/// The counts over a run or a part of it.
 struct BatchSummary {
-  /// The number of demonstrations, of their movements, and of the movements of each status.
-  int demonstrations = 0, movements = 0, executable = 0, approximate = 0, infeasible = 0;
-  /// The number of movements that were repaired and of demonstrations that failed.
-  int repaired = 0, failed = 0;
-  /// Number of infeasible movements for each reason.
-  std::map<std::string, int> reasons;
-  /// The processor time of each stage [s].
-  std::map<std::string, double> stage_cpu_s;
-  std::int64_t mapped = 0,
-               frames = 0;  ///< number of movements that were mapped, and of their frames
-  /// Number of fingertip goals over all mapped frames.
-  std::int64_t goals = 0, out_of_reach = 0;
-  /// Number of demonstrations that an earlier run had finished.
-  int reused = 0;
+  int demonstrations = 0, movements = 0;
+  int executable = 0, approximate = 0, infeasible = 0;  ///< movements
+  int repaired = 0;                                     ///< movements
+  int failed = 0;                                       ///< demonstrations
+  std::map<std::string, int> reasons;         ///< of infeasible movements, with their number
+  std::map<std::string, double> stage_cpu_s;  ///< processor time by stage
+  std::int64_t mapped = 0, frames = 0;        ///< mapped movements, and their frames
+  std::int64_t goals = 0, out_of_reach = 0;   ///< fingertip goals in all mapped frames
+  int reused = 0;                             ///< demonstrations that an earlier run had finished
 };
 
-/// Returns the summary of one demonstration. Summaries of several demonstrations can be added.
+/// Returns the summary of one demonstration.
 BatchSummary summary_of(const DemonstrationOutcome& outcome);
 /// Adds the counts and times of `more` to `sum`.
 void add(const BatchSummary& more, BatchSummary& sum);
@@ -57,26 +47,27 @@ struct Batch {
   std::function<void(const DemonstrationOutcome&)> write;
 };
 
-/// Calls `plan` and turns an exception into a failed demonstration.
+/// Returns plan(demonstration); an exception becomes the error of a failed demonstration.
 DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demonstration&)>& plan,
                              const Demonstration& demonstration);
 
-/// Plans every demonstration on up to `jobs` threads. An exception thrown by `plan` makes that
-/// demonstration a failed one, and the run continues.
+/// Plans every demonstration on up to `jobs` threads, with attempt(). Returns the sum of summaries.
 BatchSummary run_batch(const Batch& batch, int jobs);
 
-/// Returns "5 demonstrations, 5 movements: 4 executable (1 repaired), 1 infeasible (no_goal 1)".
-/// The number of approximate movements, if there are any, is given between the two.
+/// Returns "5 demonstrations, 5 movements: 3 executable (1 repaired), 1 approximate, 1 infeasible
+/// (no_goal 1), 1 failed; 2 reused from an earlier run", the last two and approximate only if any.
 std::string summary_sentence(const BatchSummary& summary);
-/// Returns the number of frames of mapped movements per second of processor time of all stages, 0
-/// if there are no such frames.
+/// Returns the frames of mapped movements per second of processor time; 0 if no time was measured.
 double frames_per_cpu_second(const BatchSummary& summary);
-/// Returns the processor time of each stage per mapped movement [ms].
+/// Returns the processor time of each stage per mapped movement [ms]; empty without one.
 std::map<std::string, double> stage_ms_per_movement(const BatchSummary& summary);
-/// Returns "569 frames; 323 frames/s per core; 352 ms per movement: map 298, certify
-/// 34", or "" if no movement was mapped. The longest stages come first; stages that round to 0 ms
-/// are left out.
+/// Returns "569 frames; 323 frames/s per core; 352 ms per movement: map 298, certify 34", or "" if
+/// no movement was mapped. The longest stages come first; those that round to 0 ms are left out.
 std::string speed_text(const BatchSummary& summary);
+/// Converts a summary, except `reused`, to the JSON that the journal stores.
+std::string serialize_summary(const BatchSummary& summary);
+/// Converts this JSON back to a summary. Throws InputError for any other text.
+BatchSummary deserialize_summary(const std::string& text);
 /// Returns the JSON that `--json` prints, as docs/formats.md defines it.
 std::string summary_json(const BatchSummary& summary);
 

@@ -43,16 +43,14 @@ std::map<std::string, std::string> values_of(const std::string& yaml) {
 }  // namespace
 
 std::vector<std::string> config_changes(const std::string& before, const std::string& after) {
-  const std::map<std::string, std::string> old = values_of(before), now = values_of(after);
-  std::map<std::string, std::string> all = old;
-  all.insert(now.begin(), now.end());
+  std::map<std::string, std::pair<std::string, std::string>> values;
+  for (const auto& [key, value] : values_of(before)) values[key] = {value, "none"};
+  for (const auto& [key, value] : values_of(after))
+    values.try_emplace(key, "none", "").first->second.second = value;
   std::vector<std::string> changes;
-  for (const auto& entry : all) {
-    const auto a = old.find(entry.first), b = now.find(entry.first);
-    const std::string was = a == old.end() ? "none" : a->second;
-    const std::string is = b == now.end() ? "none" : b->second;
-    if (was != is) changes.push_back(fmt::format("{} {} -> {}", entry.first, was, is));
-  }
+  for (const auto& [key, sides] : values)
+    if (sides.first != sides.second)
+      changes.push_back(fmt::format("{} {} -> {}", key, sides.first, sides.second));
   return changes;
 }
 

@@ -11,9 +11,8 @@ Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(f
   try {
     if (sqlite3_open_v2(file.c_str(), &handle_, flags, nullptr) != SQLITE_OK) fail();
     sqlite3_extended_result_codes(handle_, 1);
-    // The file is locked from the first access until it is closed, and shared memory is not used
-    // because network folders do not support it. A committed log survives the process, but not
-    // always a power failure.
+    // The file is locked from the first access until it is closed, without shared memory, which
+    // network folders lack. A committed log survives the process, but not always a power failure.
     run("PRAGMA locking_mode=EXCLUSIVE; PRAGMA cache_size=-1024; PRAGMA synchronous=NORMAL;");
     if (use == DatabaseUse::write) {
       run("PRAGMA page_size=16384; PRAGMA journal_mode=WAL; BEGIN EXCLUSIVE; COMMIT;");
@@ -26,10 +25,7 @@ Database::Database(const std::filesystem::path& file, DatabaseUse use) : file_(f
   }
 }
 
-Database::~Database() {
-  // Closing rolls back an open transaction.
-  sqlite3_close_v2(handle_);
-}
+Database::~Database() { sqlite3_close_v2(handle_); }  // rolls back an open transaction
 
 void Database::run(const std::string& sql) {
   if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail();
@@ -62,20 +58,20 @@ Statement::Statement(const Database& database, const std::string& sql) : databas
 
 Statement::~Statement() { sqlite3_finalize(handle_); }
 
-Statement& Statement::bind(int place, std::string_view text) {
-  if (sqlite3_bind_text64(handle_, place, text.data(), text.size(), SQLITE_TRANSIENT,
+Statement& Statement::bind(int index, std::string_view text) {
+  if (sqlite3_bind_text64(handle_, index, text.data(), text.size(), SQLITE_TRANSIENT,
                           SQLITE_UTF8) != SQLITE_OK)
     database_.fail();
   return *this;
 }
 
-Statement& Statement::bind(int place, std::int64_t number) {
-  if (sqlite3_bind_int64(handle_, place, number) != SQLITE_OK) database_.fail();
+Statement& Statement::bind(int index, std::int64_t number) {
+  if (sqlite3_bind_int64(handle_, index, number) != SQLITE_OK) database_.fail();
   return *this;
 }
 
-Statement& Statement::bind_bytes(int place, std::string_view bytes) {
-  if (sqlite3_bind_blob64(handle_, place, bytes.data(), bytes.size(), SQLITE_STATIC) != SQLITE_OK)
+Statement& Statement::bind_bytes(int index, std::string_view bytes) {
+  if (sqlite3_bind_blob64(handle_, index, bytes.data(), bytes.size(), SQLITE_STATIC) != SQLITE_OK)
     database_.fail();
   return *this;
 }
@@ -87,8 +83,7 @@ bool Statement::step() {
 }
 
 void Statement::run() {
-  while (step()) {
-  }
+  while (step()) continue;
   reset();
 }
 

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -13,20 +12,19 @@ struct sqlite3_stmt;
 
 namespace morphe::run {
 
-/// An error thrown for a file that is not a database or cannot be read as one.
+/// The error for a file that is damaged or not a database.
 struct DamagedDatabase : InputError {
   using InputError::InputError;
 };
 
-/// The access to a database.
+/// The access to a database; `write` creates a missing file.
 enum class DatabaseUse { read, write };
 
-/// A SQLite file that this process holds exclusively until it is closed; the lock is released as
-/// well if the process is killed. Throws InputError "FILE: message" if another process holds the
-/// file, if it is not a database, if it is damaged, or if the disk is full.
+/// A SQLite file that this process alone holds until it is closed or the process is killed. All
+/// functions, also those of Statement, throw InputError if another process holds the file, if it is
+/// damaged (DamagedDatabase), or if it cannot be read or written.
 class Database {
  public:
-  /// Opens the file for reading or writing.
   Database(const std::filesystem::path& file, DatabaseUse use);
   ~Database();
   Database(const Database&) = delete;
@@ -38,11 +36,10 @@ class Database {
   bool in_transaction() const;
   /// Writes all committed data into the file itself, so that no log remains beside it.
   void checkpoint();
-  /// Throws InputError with SQLite's own message.
+  /// Throws the error of the last call of SQLite.
   [[noreturn]] void fail() const;
-  /// Throws InputError with the given message.
+  /// Throws InputError "FILE: message".
   [[noreturn]] void fail(const std::string& message) const;
-  /// Returns the SQLite connection.
   sqlite3* handle() const { return handle_; }
 
  private:
@@ -50,29 +47,28 @@ class Database {
   sqlite3* handle_ = nullptr;
 };
 
-/// A prepared statement. Parameters of bind() are counted from 1, columns from 0.
+/// A prepared statement. Parameters are counted from 1, columns from 0.
 class Statement {
  public:
-  /// Prepares the statement.
   Statement(const Database& database, const std::string& sql);
   ~Statement();
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
-  /// Binds a text or an integer to a parameter.
-  Statement& bind(int place, std::string_view text);
-  Statement& bind(int place, std::int64_t number);
+  /// Binds a text, which is copied, or an integer to a parameter.
+  Statement& bind(int index, std::string_view text);
+  Statement& bind(int index, std::int64_t number);
   /// Binds bytes that must remain valid until the statement has run.
-  Statement& bind_bytes(int place, std::string_view bytes);
+  Statement& bind_bytes(int index, std::string_view bytes);
   /// Steps to the next row. Returns true if a row is available.
   bool step();
   /// Steps to the end and resets the statement, so that it can be bound again.
   void run();
   /// Resets the statement and clears its bindings.
   void reset();
-  /// Returns a text or bytes.
+  /// Returns a text or bytes of the current row.
   std::string text(int column) const;
-  /// Returns an integer.
+  /// Returns an integer of the current row.
   std::int64_t number(int column) const;
 
  private:

@@ -29,26 +29,26 @@ std::string text_of(const store::Hdf5Value& value) {
                                                                               : "'" + text + "'";
 }
 
-/// Compares the numbers of two datasets of equal shape: finds the largest difference and counts the
-/// values that are NaN in only one of them. Returns the index of the largest difference.
+/// Compares the numbers of two datasets of equal shape. Sets the largest difference and a sentence
+/// on values that are NaN in only one of them. Returns the index of the largest difference, or 0.
 std::size_t compare_numbers(const store::Hdf5Value& a, const store::Hdf5Value& b,
                             Difference& found) {
-  std::size_t one_sided = 0, where = 0;
+  std::size_t one_sided = 0, index = 0;
   for (std::size_t i = 0; i < a.numbers.size(); ++i) {
     const double x = a.numbers[i], y = b.numbers[i];
     if (same_bits(x, y)) continue;
     if (std::isnan(x) != std::isnan(y)) {
       ++one_sided;
-    } else if (const double apart = std::abs(x - y); !found.max_abs || apart > *found.max_abs) {
-      found.max_abs = apart;
+    } else if (const double gap = std::abs(x - y); !found.max_abs || gap > *found.max_abs) {
+      found.max_abs = gap;
       found.first = x;
       found.second = y;
-      where = i;
+      index = i;
     }
   }
   if (one_sided > 0)
     found.change = fmt::format("{} values are NaN in only one of the files", one_sided);
-  return where;
+  return index;
 }
 
 class Comparison {
@@ -69,9 +69,9 @@ class Comparison {
     visit_union(a, b, [&](const std::string& demonstration, bool in_a, bool in_b) {
       if (in_a && in_b) {
         const store::Hdf5Group of_a = a.open(demonstration), of_b = b.open(demonstration);
-        visit_union(of_a, of_b, [&](const std::string& movement, bool here, bool there) {
+        visit_union(of_a, of_b, [&](const std::string& movement, bool plan_in_a, bool plan_in_b) {
           begin_plan(demonstration, movement);
-          compare_member(of_a, of_b, movement, here, there, "");
+          compare_member(of_a, of_b, movement, plan_in_a, plan_in_b, "");
         });
       } else {
         const store::Hdf5Group only = (in_a ? a : b).open(demonstration);
@@ -89,8 +89,7 @@ class Comparison {
     ++report.plans;
   }
 
-  /// Visits the names of both groups: those of the first in their order, then those that only the
-  /// second has.
+  /// Visits the names of the first group in their order, then those that only the second has.
   template <class Visit>
   static void visit_union(const store::Hdf5Group& a, const store::Hdf5Group& b,
                           const Visit& visit) {
@@ -118,8 +117,8 @@ class Comparison {
     const store::Hdf5Group of_a = a.open(name), of_b = b.open(name);
     const std::string below = path.empty() ? "" : path + "/";
     compare_attributes(of_a, of_b, ".", below);
-    visit_union(of_a, of_b, [&](const std::string& member, bool here, bool there) {
-      compare_member(of_a, of_b, member, here, there, below + member);
+    visit_union(of_a, of_b, [&](const std::string& member, bool member_in_a, bool member_in_b) {
+      compare_member(of_a, of_b, member, member_in_a, member_in_b, below + member);
     });
   }
 
@@ -148,11 +147,10 @@ class Comparison {
            group.value_of_attribute("unit", dataset.c_str()).is_text;
   }
 
-  /// Compares two values. `tell(index, found)` adds the unit and the location of the largest
-  /// difference.
-  template <class Tell>
+  /// Compares two values. `add_location(index, found)` adds unit and location of the difference.
+  template <class AddLocation>
   void compare_values(const store::Hdf5Value& a, const store::Hdf5Value& b, const std::string& path,
-                      const Tell& tell) {
+                      const AddLocation& add_location) {
     if (a.is_text != b.is_text) return add(path, "texts in only one of the files");
     if (a.dims != b.dims)
       return add(path,
@@ -168,7 +166,7 @@ class Comparison {
     found.plan = plan_;
     found.dataset = path;
     const std::size_t index = compare_numbers(a, b, found);
-    if (found.max_abs) tell(index, found);
+    if (found.max_abs) add_location(index, found);
     if (found.max_abs || !found.change.empty()) report.differences.push_back(std::move(found));
   }
 
@@ -183,7 +181,7 @@ class Comparison {
 }  // namespace
 
 DiffReport diff_files(const std::filesystem::path& a, const std::filesystem::path& b) {
-  const store::PlanReader format_of_a(a), format_of_b(b);
+  const store::PlanReader check_a(a), check_b(b);  // throw unless the files are plans.h5
   const store::Hdf5File first = store::Hdf5File::open(a), second = store::Hdf5File::open(b);
   Comparison comparison(column_names(first.root()));
   comparison.compare_files(first.root(), second.root());

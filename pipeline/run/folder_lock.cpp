@@ -14,16 +14,16 @@
 namespace morphe::run {
 namespace {
 
-/// Locks the open file description rather than the process: the lock is released when this
-/// descriptor is closed.
+/// Locks the file, without waiting, for this descriptor and not for the process: the lock ends when
+/// the descriptor is closed. Returns false if the file is locked already or cannot be.
 bool lock_file(int descriptor) {
-  struct flock whole {};
-  whole.l_type = F_WRLCK;
-  whole.l_whence = SEEK_SET;
-  return ::fcntl(descriptor, F_OFD_SETLK, &whole) == 0;
+  struct flock whole_file {};
+  whole_file.l_type = F_WRLCK;
+  whole_file.l_whence = SEEK_SET;
+  return ::fcntl(descriptor, F_OFD_SETLK, &whole_file) == 0;
 }
 
-/// Returns true if the path still names the open file, which its last holder may have removed.
+/// Returns true if the path still names the open file: its previous holder may have removed it.
 bool is_same_file(const std::filesystem::path& file, int descriptor) {
   struct stat named {
   }, open{};
@@ -58,9 +58,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".l
 }
 
 FolderLock::~FolderLock() {
-  ::unlink(
-      file_
-          .c_str());  // removed while the lock is held, so it cannot be the file of another process
+  ::unlink(file_.c_str());  // still this lock's file, unless it was replaced by hand
   ::close(descriptor_);
 }
 

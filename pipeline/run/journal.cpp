@@ -13,7 +13,6 @@
 #include "core/store/bytes.hpp"
 #include "pipeline/run/journal_tables.hpp"
 #include "pipeline/run/plans_fingerprint.hpp"
-#include "pipeline/run/serialize_summary.hpp"
 
 namespace morphe::run {
 namespace {
@@ -21,8 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-// A batch ends when the first of these limits is reached. The limits do not change any result; they
-// only determine how much is lost if the process is killed.
+// A batch ends at the first of these limits. An unfinished batch is lost if the process is killed.
 constexpr int kMaxBatchRecords = 64;
 constexpr std::size_t kMaxBatchBytes = std::size_t{32} << 20;
 constexpr std::chrono::seconds kMaxBatchDuration{1};
@@ -35,8 +33,7 @@ std::int64_t whole_number(const std::string& text) {
   return number;
 }
 
-/// Returns the plans_fingerprint() of a header as the journal stores it, "" if the header is
-/// damaged.
+/// Returns the plans_fingerprint() of a stored header, "" if it is damaged.
 std::string header_fingerprint(const std::string& header) {
   try {
     return plans_fingerprint(store::header_from_bytes(header));
@@ -83,11 +80,11 @@ struct Journal::State {
       fail_damaged(fmt::format("{}: its summary cannot be read", name));
     }
   }
-  /// Passes the value of a key of `about` to `take`, which throws if it cannot read it.
-  template <class Take>
-  void read(const char* key, const Take& take) const {
+  /// Passes the value of a key of `metadata` to `parse`, which throws if it cannot be read.
+  template <class Parse>
+  void read(const char* key, const Parse& parse) const {
     try {
-      take(metadata(database, key));
+      parse(metadata(database, key));
     } catch (const std::exception&) {
       fail_damaged(fmt::format("its {} cannot be read", key));
     }
@@ -125,12 +122,12 @@ std::unique_ptr<Journal> Journal::write(const fs::path& folder, const std::strin
     set_metadata(database, "shard", shard_text(shard));
     database.run("COMMIT");
   }
-  if (const std::string by = metadata(database, "software"); by != software)
+  if (const std::string writer = metadata(database, "software"); writer != software)
     database.fail(
-        fmt::format("was written by {}, this is {}; plan again with --fresh", by, software));
-  if (const std::string of = metadata(database, "shard"); of != shard_text(shard))
-    database.fail(
-        fmt::format("contains shard {}, not {}; plan again with --fresh", of, shard_text(shard)));
+        fmt::format("was written by {}, this is {}; plan again with --fresh", writer, software));
+  if (const std::string stored = metadata(database, "shard"); stored != shard_text(shard))
+    database.fail(fmt::format("contains shard {}, not {}; plan again with --fresh", stored,
+                              shard_text(shard)));
   return std::unique_ptr<Journal>(new Journal(std::move(state)));
 }
 
@@ -147,13 +144,13 @@ std::unique_ptr<Journal> Journal::read(const fs::path& folder) {
 
 void Journal::begin(
     const RunIdentity& identity, const std::string& config,
-    const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted) {
+    const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_scheduled) {
   const std::lock_guard lock(state_->mutex);
   Database& database = state_->database;
-  const std::string in_place = current_plans_fingerprint();
+  const std::string plans = current_plans_fingerprint();
   state_->open_batch();
   set_metadata(database, "complete", "0");
-  set_metadata(database, "plans", in_place);
+  set_metadata(database, "plans", plans);
   set_metadata(database, "program", identity.program);
   set_metadata(database, "scene", identity.scene);
   set_metadata(database, "config", files::sha256(config));
@@ -166,8 +163,8 @@ void Journal::begin(
   database.run("DELETE FROM scheduled");
   Statement insert(database, "INSERT INTO scheduled VALUES(?, ?)");
   std::int64_t scheduled = 0;
-  each_wanted([&](const DatasetEntry& place) {
-    insert.bind(1, place.position).bind(2, place.name).run();
+  each_scheduled([&](const DatasetEntry& entry) {
+    insert.bind(1, entry.position).bind(2, entry.name).run();
     ++scheduled;
   });
   set_metadata(database, "scheduled", std::to_string(scheduled));
@@ -279,29 +276,28 @@ RunIdentity Journal::identity() const {
   return identity;
 }
 
-/// Returns the fingerprint of the last written plans: those of the run before if the current run is
-/// still active or was killed before it wrote its own.
+/// Returns the fingerprint of the plans in the folder: those of the last run that was completed.
 std::string Journal::current_plans_fingerprint() const {
-  const std::string kept = metadata(state_->database, "plans");
+  const std::string stored = metadata(state_->database, "plans");
   const std::string header = metadata(state_->database, "header");
-  if (header.empty() || metadata(state_->database, "complete") != "1") return kept;
+  if (header.empty() || metadata(state_->database, "complete") != "1") return stored;
   return header_fingerprint(header);
 }
 
-bool Journal::owns_plans(const std::string& print) const {
+bool Journal::owns_plans(const std::string& hash) const {
   const std::lock_guard lock(state_->mutex);
   const std::string header = metadata(state_->database, "header");
-  if (print.empty() || header.empty()) return false;
-  return print == header_fingerprint(header) || print == metadata(state_->database, "plans");
+  if (hash.empty() || header.empty()) return false;
+  return hash == header_fingerprint(header) || hash == metadata(state_->database, "plans");
 }
 
 std::int64_t Journal::scheduled_count() const {
   const std::lock_guard lock(state_->mutex);
   const std::int64_t found = state_->count("SELECT count(*) FROM scheduled");
-  const std::string written =
-      metadata(state_->database, "scheduled");  // absent in journals of earlier versions
-  if (!written.empty() && written != std::to_string(found))
-    state_->fail_damaged(fmt::format("only {} of {} demonstrations found", found, written));
+  // Absent in journals of earlier versions.
+  const std::string expected = metadata(state_->database, "scheduled");
+  if (!expected.empty() && expected != std::to_string(found))
+    state_->fail_damaged(fmt::format("only {} of {} demonstrations found", found, expected));
   return found;
 }
 
@@ -334,7 +330,7 @@ void Journal::each_plan(
     const std::function<void(const FinishedDemonstration::StoredPlan&)>& visit) const {
   const std::lock_guard lock(state_->mutex);
   Statement result(state_->database, "SELECT summary FROM results WHERE name = ?");
-  const std::int64_t written =
+  const std::int64_t expected =
       result.bind(1, name).step() ? state_->summary(name, result.text(0)).movements : 0;
   Statement select(
       state_->database,
@@ -347,8 +343,8 @@ void Journal::each_plan(
       state_->fail_damaged(fmt::format("{}: a plan is damaged", name));
     visit(plan);
   }
-  if (found != written)
-    state_->fail_damaged(fmt::format("{}: only {} of {} plans found", name, found, written));
+  if (found != expected)
+    state_->fail_damaged(fmt::format("{}: only {} of {} plans found", name, found, expected));
 }
 
 void Journal::fail_damaged(const std::string& what) const { state_->fail_damaged(what); }

@@ -17,73 +17,53 @@ namespace morphe::run {
 
 /// The SHA-256 hashes of all inputs on which the plans of a demonstration depend.
 struct Fingerprint {
-  /// The demonstration as the dataset contains it.
-  std::string input;
-  /// The effective config, the robot and the scene.
-  std::string config, robot, scene;
-  /// The executable itself, because another build may produce other bytes.
-  std::string program;
+  std::string input;   ///< the demonstration as the dataset contains it
+  std::string config;  ///< the effective config without file names
+  std::string robot, scene;
+  std::string program;  ///< the executable, because another build may produce other bytes
 };
 
 /// A finished demonstration, as the journal stores it.
 struct FinishedDemonstration {
-  /// A plan, as the journal stores it.
+  /// A plan of the demonstration.
   struct StoredPlan {
     std::string table_rows;  ///< its rows in the printed table
     std::string bytes;       ///< bytes_of(plan)
   };
-  /// The name of the demonstration.
   std::string name;
-  /// The inputs on which its plans depend.
   Fingerprint fingerprint;
-  /// SHA-256 of the file in which `input` was last found.
-  std::string dataset;
-  /// The error, "" unless the demonstration failed.
-  std::string error;
-  /// The counts and times of this demonstration.
+  std::string dataset;  ///< SHA-256 of the file in which fingerprint.input was last found
+  std::string error;    ///< "" unless the demonstration failed
   BatchSummary summary;
-  /// The plans, in the order of the movements.
-  std::vector<StoredPlan> plans;
+  std::vector<StoredPlan> plans;  ///< in the order of the movements
 };
 
 /// The properties of a run as a whole that its journal records.
 struct RunIdentity {
-  /// The name and version of the program: "morphe 0.1.0".
-  std::string software;
-  /// The hashes of the executable and of the scene.
-  std::string program, scene;
-  /// The part of the dataset that the run plans.
-  Shard shard;
-  /// Number of demonstrations of the whole dataset.
-  std::int64_t demonstrations = 0;
-  /// The header of the run's plans.h5.
-  PlanFileHeader header;
-  /// The robot for which the run plans.
+  std::string software;             ///< name and version of the program: "morphe 0.1.0"
+  std::string program, scene;       ///< SHA-256 of the executable and of the scene
+  Shard shard;                      ///< the part of the dataset that the run plans
+  std::int64_t demonstrations = 0;  ///< of the whole dataset
+  PlanFileHeader header;            ///< of the run's plans.h5
   RobotModel robot;
-  /// The dataset as it was named by the user.
-  std::string dataset_label;
+  std::string dataset_label;  ///< the dataset as the user named it
 };
 
-/// A demonstration and its position in the dataset.
+/// The name of a demonstration and its position in the dataset, from 0.
 struct DatasetEntry {
-  /// The index in the dataset, from 0.
   std::int64_t position = 0;
-  /// The name of the demonstration.
   std::string name;
 };
 
-/// The file DIR/journal.sqlite, which stores every finished demonstration of a run. Committed
-/// results survive the process even if it is killed at any time; other results are lost. A journal
-/// is held by one process at a time, until that process ends. It is safe to call from several
-/// threads. Throws InputError if another run holds it, if another version or shard wrote it, if it
-/// is damaged, or if the disk is full.
+/// The file DIR/journal.sqlite, which stores every finished demonstration. Those that the last run
+/// was to plan are called scheduled. Committed results survive even if the process is killed. One
+/// process at a time holds a journal; its threads may all call it. Throws InputError if another run
+/// holds it, another version or shard wrote it, it is damaged, or the disk is full.
 class Journal {
  public:
-  /// The name of the file in the run's folder.
   static constexpr const char* kFile = "journal.sqlite";
 
-  /// Opens the journal for a run and creates it if it is missing. `fresh` empties it, whatever
-  /// wrote it.
+  /// Opens the journal for a run and creates it if it is missing. `fresh` empties it.
   static std::unique_ptr<Journal> write(const std::filesystem::path& folder,
                                         const std::string& software, const Shard& shard,
                                         bool fresh);
@@ -91,50 +71,46 @@ class Journal {
   static std::unique_ptr<Journal> read(const std::filesystem::path& folder);
   ~Journal();
 
-  /// Begins a run with the given identity and the demonstrations that belong to it. `config` is the
-  /// effective config without paths; it is stored so that a later run can report the changes.
+  /// Begins a run. `config` is the effective config without file names, stored to report changes in
+  /// later runs. `each_scheduled` calls its argument for each demonstration to be planned.
   void begin(
       const RunIdentity& identity, const std::string& config,
-      const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_wanted);
-  /// Returns a finished demonstration without its plans.
+      const std::function<void(const std::function<void(const DatasetEntry&)>&)>& each_scheduled);
+  /// Returns a finished demonstration without its plans; nullopt if it is not in the journal.
   std::optional<FinishedDemonstration> find(const std::string& name) const;
-  /// Returns the stored config, "" if the hash is unknown.
+  /// Returns the stored config with this hash, "" if it is unknown.
   std::string config(const std::string& sha256) const;
   /// Adds a demonstration or replaces its entry. Entries are committed in batches.
   void add(const FinishedDemonstration& finished);
-  /// Records the file in which the demonstration was last found.
+  /// Records the SHA-256 of the file in which the demonstration was last found.
   void set_dataset_hash(const std::string& name, const std::string& dataset);
   /// Commits all results that were added.
   void commit();
-  /// Visits the demonstrations that the last run scheduled and finished without an error, in its
-  /// order.
+  /// Visits the names of the scheduled demonstrations with a result without an error, in order.
   void each_result(const std::function<void(const std::string&)>& visit) const;
-  /// Records that the results of the run are written.
+  /// Records that the run has written its plans.h5; removes configs without results.
   void mark_complete();
 
-  /// Returns true if the results of the last run are written.
+  /// Returns true if the last run has written its plans.h5.
   bool is_complete() const;
-  /// Returns true if plans with the given plans_fingerprint() are those that the runs of this
-  /// journal left in its folder.
-  bool owns_plans(const std::string& print) const;
+  /// Returns true for the plans_fingerprint() of the last run, or of the complete run before it.
+  bool owns_plans(const std::string& hash) const;
   /// Returns the identity of the last run.
   RunIdentity identity() const;
-  /// Returns the number of demonstrations that the run scheduled.
+  /// Returns the number of scheduled demonstrations. Throws InputError if some are missing.
   std::int64_t scheduled_count() const;
-  /// Returns the number of scheduled demonstrations without a result of the run's config and
-  /// program.
+  /// Returns the number of these without a result of the run's config and program.
   std::int64_t unfinished_count() const;
-  /// Returns true if there is a demonstration that did not fail.
+  /// Returns true if a demonstration has a result without an error.
   bool has_results() const;
-  /// Returns the next scheduled demonstration, in order, from begin() or read() on.
+  /// Returns the next scheduled demonstration, after begin() the first; nullopt after the last.
   std::optional<DatasetEntry> next();
-  /// Visits the plans of a demonstration in order. Throws InputError if a plan is damaged or if
-  /// plans are missing.
+  /// Visits the plans of a demonstration in order. Throws InputError if one is damaged or missing.
   void each_plan(const std::string& name,
                  const std::function<void(const FinishedDemonstration::StoredPlan&)>& visit) const;
-  /// Throws InputError "FILE: is damaged: DETAIL; --fresh begins anew".
+  /// Throws InputError "FILE: is damaged: WHAT; plan again with --fresh".
   [[noreturn]] void fail_damaged(const std::string& what) const;
-  /// Returns the sum over the scheduled demonstrations.
+  /// Returns the sum of the summaries of the scheduled demonstrations.
   BatchSummary summary() const;
   /// Visits the table rows of all scheduled demonstrations, in order.
   void each_row(const std::function<void(const std::string&)>& visit) const;

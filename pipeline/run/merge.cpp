@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 #include <sys/resource.h>
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <queue>
@@ -29,8 +28,7 @@ struct OpenShard {
   Shard shard;
 };
 
-/// Raises the limit of open files: every shard is one open file, and the usual limit of a shell is
-/// 1024.
+/// Raises the limit of open files, usually 1024: every shard is one.
 void raise_open_file_limit() {
   rlimit limit{};
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
@@ -38,7 +36,7 @@ void raise_open_file_limit() {
   setrlimit(RLIMIT_NOFILE, &limit);
 }
 
-/// Describes the difference of a shard from the first, "" if both belong to the same run.
+/// Returns the first difference of a shard from the first one, "" if both belong to the same run.
 std::string difference(const RunIdentity& first, const RunIdentity& other) {
   if (other.shard.count != first.shard.count)
     return fmt::format("is shard {}, but the run has {} shards", shard_text(other.shard),
@@ -57,49 +55,38 @@ std::string difference(const RunIdentity& first, const RunIdentity& other) {
   return "";
 }
 
-class MergeErrors {
- public:
-  void add(const std::string& complaint) { list_.push_back(complaint); }
-  void throw_if_any() const {
-    if (!list_.empty()) throw InputError(fmt::format("merge: {}", fmt::join(list_, "; ")));
-  }
-
- private:
-  std::vector<std::string> list_;
-};
-
-/// Checks that all shards belong to the run `first` and are finished, and that each is present
-/// exactly once.
+/// Checks that all shards belong to the run of `first`, are finished, and are present exactly once.
 void check(const std::vector<OpenShard>& shards, const RunIdentity& first) {
-  MergeErrors complaints;
+  std::vector<std::string> errors;
   std::map<int, fs::path> found;
   for (const OpenShard& shard : shards) {
     const std::string name = shard.folder.string();
     const RunIdentity identity = shard.journal->identity();
     if (identity.header.software.empty()) {
-      complaints.add(fmt::format("{}: shard {} was never started", name, shard_text(shard.shard)));
-    } else if (const std::string wrong = difference(first, identity); !wrong.empty()) {
-      complaints.add(fmt::format("{}: {}", name, wrong));
+      errors.push_back(
+          fmt::format("{}: shard {} was never started", name, shard_text(shard.shard)));
+    } else if (const std::string other_run = difference(first, identity); !other_run.empty()) {
+      errors.push_back(fmt::format("{}: {}", name, other_run));
       continue;
     } else if (const std::int64_t left = shard.journal->unfinished_count();
                left > 0 || !shard.journal->is_complete()) {
-      complaints.add(
+      errors.push_back(
           fmt::format("{}: shard {} is not finished: {} of {} left", name, shard_text(shard.shard),
                       left, count_with_noun(shard.journal->scheduled_count(), "demonstration")));
     }
     shard.journal->scheduled_count();  // throws if entries are missing
     const auto [place, is_new] = found.emplace(shard.shard.index, shard.folder);
     if (!is_new)
-      complaints.add(fmt::format("{}: shard {} was given twice, also as {}", name,
-                                 shard_text(shard.shard), place->second.string()));
+      errors.push_back(fmt::format("{}: shard {} was given twice, also as {}", name,
+                                   shard_text(shard.shard), place->second.string()));
   }
   std::vector<int> missing;
   for (int i = 1; i <= first.shard.count; ++i)
     if (!found.contains(i)) missing.push_back(i);
   if (!missing.empty())
-    complaints.add(
+    errors.push_back(
         fmt::format("missing of {} shards: {}", first.shard.count, fmt::join(missing, ", ")));
-  complaints.throw_if_any();
+  if (!errors.empty()) throw InputError(fmt::format("merge: {}", fmt::join(errors, "; ")));
 }
 
 std::vector<OpenShard> open_all(const std::vector<fs::path>& folders) {
@@ -115,22 +102,22 @@ std::vector<OpenShard> open_all(const std::vector<fs::path>& folders) {
 /// Visits the demonstrations of all shards in the order of the dataset, each exactly once.
 void visit_in_dataset_order(std::vector<OpenShard>& shards, std::int64_t count,
                             const std::function<void(Journal&, const std::string&)>& visit) {
-  using Head = std::pair<std::int64_t, std::size_t>;  // position, shard
+  using Head = std::pair<std::int64_t, int>;  // position, shard
   std::vector<std::string> names(shards.size());
   std::priority_queue<Head, std::vector<Head>, std::greater<>> heads;
-  const auto advance = [&](std::size_t i) {
-    const std::optional<DatasetEntry> place = shards[i].journal->next();
-    if (!place) return;
-    names[i] = place->name;
-    heads.emplace(place->position, i);
+  const auto advance = [&](int i) {
+    const std::optional<DatasetEntry> entry = shards[i].journal->next();
+    if (!entry) return;
+    names[i] = entry->name;
+    heads.emplace(entry->position, i);
   };
-  for (std::size_t i = 0; i < shards.size(); ++i) advance(i);
+  for (int i = 0; i < std::ssize(shards); ++i) advance(i);
   for (std::int64_t expected = 0; expected < count; ++expected) {
     if (heads.empty() || heads.top().first != expected)
       throw InputError(
           fmt::format("merge: demonstration {} of the dataset is in none of the shards, or in two",
                       expected + 1));
-    const std::size_t i = heads.top().second;
+    const int i = heads.top().second;
     heads.pop();
     visit(*shards[i].journal, names[i]);
     advance(i);
@@ -145,8 +132,8 @@ BatchSummary merge_shards(const std::vector<fs::path>& folders, const fs::path& 
   if (shards.empty()) throw InputError("merge: no shards");
   // A shard that never began does not identify the run.
   RunIdentity first;
-  for (std::size_t i = 0; i < shards.size() && first.header.software.empty(); ++i)
-    first = shards[i].journal->identity();
+  for (const OpenShard& shard : shards)
+    if (first.header.software.empty()) first = shard.journal->identity();
   check(shards, first);
   if (fs::exists(plans) && plans_fingerprint(plans) != plans_fingerprint(first.header))
     throw InputError(

@@ -11,10 +11,9 @@ namespace fs = std::filesystem;
 OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   if (path_.empty()) throw InputError("--out: is not a folder name");
   std::error_code error;
-  for (fs::path at = fs::absolute(path_).lexically_normal(); !fs::exists(at, error);
-       at = at.parent_path()) {
-    made_.push_back(at);
-  }
+  for (fs::path folder = fs::absolute(path_).lexically_normal(); !fs::exists(folder, error);
+       folder = folder.parent_path())
+    made_.push_back(folder);
   fs::create_directories(path_, error);
   if (error || !fs::is_directory(path_)) {
     remove_made();

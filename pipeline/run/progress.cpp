@@ -10,8 +10,8 @@
 namespace morphe::run {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point then) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - then).count();
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
@@ -33,19 +33,19 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, const Run
 
 Progress::Progress(Verbosity detail) : detail_(detail) {
   if (detail_ == Verbosity::quiet || !status_.on_terminal()) return;
-  ticking_ = std::thread([this] {
+  refresher_ = std::thread([this] {
     std::unique_lock lock(mutex_);
-    while (!ended_.wait_for(lock, std::chrono::seconds(1), [this] { return end_; })) show(true);
+    while (!wake_.wait_for(lock, std::chrono::seconds(1), [this] { return ending_; })) show(true);
   });
 }
 
 Progress::~Progress() {
   {
     const std::lock_guard lock(mutex_);
-    end_ = true;
+    ending_ = true;
   }
-  ended_.notify_all();
-  if (ticking_.joinable()) ticking_.join();
+  wake_.notify_all();
+  if (refresher_.joinable()) refresher_.join();
 }
 
 void Progress::begin(std::int64_t total, int jobs) {
@@ -62,10 +62,10 @@ void Progress::start_demonstration(const std::string& demonstration) {
 
 void Progress::finish_demonstration(const std::string& demonstration) {
   const std::lock_guard lock(mutex_);
-  const auto one = running_.find(demonstration);
-  work_.finished_total_s += seconds_since(one->second);
+  const auto entry = running_.find(demonstration);
+  work_.finished_total_s += seconds_since(entry->second);
   ++work_.finished;
-  running_.erase(one);
+  running_.erase(entry);
 }
 
 void Progress::add_reused(const BatchSummary& summary) {
@@ -122,9 +122,8 @@ std::string Progress::text() const {
     longest_s = work.ages_s.back();
     longest = name;
   }
-  const auto in_hand = static_cast<std::int64_t>(running_.size());
-  work.waiting =
-      stopping_ ? 0 : std::max<std::int64_t>(0, total_ - sum_.reused - work.finished - in_hand);
+  const std::int64_t started = sum_.reused + work.finished + std::ssize(running_);
+  work.waiting = stopping_ ? 0 : std::max<std::int64_t>(0, total_ - started);
   std::string text = stopping_ ? "finishing the demonstrations in progress: " : "";
   text += progress_text(sum_, total_, work);
   if (longest_s < kLongRunning_s) return text;

@@ -17,19 +17,17 @@ namespace morphe::run {
 /// The amount of progress information that is printed during a run.
 enum class Verbosity { quiet, normal, verbose };
 
-/// The progress of a run on standard error. On a terminal it is a line that changes (counts, rate,
-/// remaining time, and demonstrations that have been running for long); otherwise it is a line for
-/// each demonstration, which `verbose` prints on a terminal as well. It is safe to call from
-/// several threads.
+/// The progress of a run on standard error. On a terminal, a status line shows counts, rate,
+/// remaining time and the longest running demonstration. Otherwise, and if `verbose`, each finished
+/// demonstration prints a line. It is safe to call from several threads.
 class Progress {
  public:
   explicit Progress(Verbosity detail);
   ~Progress();
-  /// Begins a run over `total` demonstrations on `jobs` threads.
+  /// Begins a run of `total` demonstrations on `jobs` threads.
   void begin(std::int64_t total, int jobs);
-  /// Records that a demonstration has started.
+  /// Records the time at which a demonstration starts or ends.
   void start_demonstration(const std::string& demonstration);
-  /// Records that a demonstration has ended.
   void finish_demonstration(const std::string& demonstration);
   /// Adds a demonstration that an earlier run had finished.
   void add_reused(const BatchSummary& summary);
@@ -38,7 +36,7 @@ class Progress {
                   const std::string& error);
   /// Prints a line beside the progress, also in quiet mode.
   void line(const std::string& text);
-  /// Prints a line at once which says that no further demonstration is started.
+  /// Announces at once that the demonstrations in progress are the last.
   void announce_stop();
   /// Returns the sum over the results added so far.
   BatchSummary current_summary() const;
@@ -57,14 +55,13 @@ class Progress {
   RunWorkload work_;
   std::map<std::string, Clock::time_point> running_;
   Clock::time_point last_shown_;
-  std::condition_variable ended_;
-  bool end_ = false;
-  std::thread ticking_;
+  std::condition_variable wake_;
+  bool ending_ = false;
+  std::thread refresher_;
 };
 
-/// Returns the text of the progress line: "37 of 100, 12.3 per minute, 5 min left: 30 executable (2
-/// repaired), 4 infeasible, 1 failed". Rate and remaining time are left out before the first
-/// demonstration is finished.
+/// Returns "37 of 100, 12.3 per minute, 5 min left: 30 executable (2 repaired), 4 infeasible, 1
+/// failed". Rate and remaining time are left out before a demonstration is finished.
 std::string progress_text(const BatchSummary& sum, std::int64_t total, const RunWorkload& work);
 
 }  // namespace morphe::run

@@ -19,20 +19,19 @@
 namespace morphe::run {
 namespace {
 
-/// A demonstration to be planned, the error for which it could not be read, or its earlier result.
+/// A demonstration to be planned, or its earlier result.
 struct Task {
   Demonstration demonstration;
-  std::string input;  ///< SHA-256 of the demonstration
-  std::string error;
-  std::string plan_reason;  ///< the reason for which it is planned
+  std::string input;        ///< SHA-256 of the demonstration
+  std::string error;        ///< why it could not be read
+  std::string plan_reason;  ///< why it is planned
   std::optional<FinishedDemonstration> previous_result;
 };
 
-/// The result of a task, empty if the run was stopped before the task began.
+/// The result of a task; its name is empty if the run was stopped before the task began.
 struct TaskResult {
-  /// The demonstration as stored in the journal, here without its plans.
-  FinishedDemonstration finished;
-  std::string plan_reason;  ///< the reason for which it was planned, "" if it was finished before
+  FinishedDemonstration finished;  ///< without its plans
+  std::string plan_reason;         ///< why it was planned, "" if it was reused
 };
 
 class Run {
@@ -62,11 +61,11 @@ class Run {
     parallel::OrderedParallelMap<Task, TaskResult> map;
     map.next = [&] { return next(); };
     map.work = [&](const Task& task) { return work(task); };
-    map.write = [&](const TaskResult& done) { write(done); };
+    map.write = [&](const TaskResult& result) { write(result); };
     try {
       morphe::parallel::run(map, request_.jobs);
     } catch (...) {
-      writer_.reset();  // reset first, because this frees disk space
+      writer_.reset();  // first, because this frees disk space
       commit_finished();
       throw;
     }
@@ -85,39 +84,37 @@ class Run {
       ++count;
       if (shard.count > 1) frames.push_back(frames_of(name));
     });
-    const std::vector<std::uint32_t> shard_of = assign_shards(frames, shard.count);
+    const std::vector<int> shard_of = assign_shards(frames, shard.count);
     check_previous_results();
     request_.identity.dataset_label = request_.dataset_key;
-    journal_.begin(request_.identity, request_.config, [&](const auto& want) {
+    journal_.begin(request_.identity, request_.config, [&](const auto& schedule) {
       std::int64_t position = 0;
       reader_.each_name([&](const std::string& name) {
-        const auto index = static_cast<std::size_t>(position);
-        if (shard.count == 1 || static_cast<int>(shard_of[index]) == shard.index)
-          want(DatasetEntry{position, name});
+        if (shard.count == 1 || shard_of[position] == shard.index)
+          schedule(DatasetEntry{position, name});
         ++position;
       });
     });
     progress_.begin(journal_.scheduled_count(), request_.jobs);
   }
 
-  /// Throws if plans of another dataset would be replaced, and reports demonstrations that the
-  /// dataset no longer contains.
+  /// Throws if plans of another dataset would be replaced. Reports missing demonstrations.
   void check_previous_results() {
     std::vector<std::string> before, gone;
     journal_.each_result([&](const std::string& name) { before.push_back(name); });
     if (before.empty()) return;
-    std::set<std::string> here;
-    reader_.each_name([&](const std::string& name) { here.insert(name); });
-    bool same = journal_.identity().dataset_label == request_.dataset_key;
+    std::set<std::string> present;
+    reader_.each_name([&](const std::string& name) { present.insert(name); });
+    bool same_dataset = journal_.identity().dataset_label == request_.dataset_key;
     for (const std::string& name : before) {
-      if (!here.contains(name)) {
+      if (!present.contains(name)) {
         gone.push_back(name);
       } else {
-        same = same || is_unchanged(name);
+        same_dataset = same_dataset || is_unchanged(name);
       }
     }
     const std::string folder = request_.plans.parent_path().string();
-    if (!same)
+    if (!same_dataset)
       throw InputError(
           fmt::format("{}: contains plans of another dataset ({}) that would be replaced: give "
                       "another --out, or --fresh to replace them",
@@ -149,7 +146,7 @@ class Run {
                            : "");
   }
 
-  /// Returns the number of frames, 0 for a damaged demonstration, so that all shards agree.
+  /// Returns the longest stream's samples; 0 for a damaged demonstration, so that all shards agree.
   std::size_t frames_of(const std::string& name) const {
     try {
       return reader_.longest_stream_samples(name);
@@ -159,48 +156,48 @@ class Run {
   }
 
   std::unique_ptr<Task> next() {
-    const std::optional<DatasetEntry> place =
+    const std::optional<DatasetEntry> entry =
         stop_.received_signal() == 0 ? journal_.next() : std::nullopt;
-    if (!place) return nullptr;
-    const std::optional<FinishedDemonstration> found = journal_.find(place->name);
-    std::vector<std::string> why = replan_reasons(found);
+    if (!entry) return nullptr;
+    const std::optional<FinishedDemonstration> found = journal_.find(entry->name);
+    std::vector<std::string> reasons = replan_reasons(found);
     std::unique_ptr<Task> task;
-    if (!found || !why.empty() || found->dataset != dataset()) task = read(place->name);
+    if (!found || !reasons.empty() || found->dataset != dataset()) task = read(entry->name);
     if (found && task && found->fingerprint.input != task->input)
-      why.push_back("the recording changed");
-    if (found && why.empty()) {
-      if (task) journal_.set_dataset_hash(place->name, dataset());
+      reasons.push_back("the recording changed");
+    if (found && reasons.empty()) {
+      if (task) journal_.set_dataset_hash(entry->name, dataset());
       ++readable_;
       task = std::make_unique<Task>();
       task->previous_result = found;
       return task;
     }
-    if (!found) why.push_back("not planned before");
-    task->plan_reason = fmt::format("{}", fmt::join(why, "; "));
+    if (!found) reasons.push_back("not planned before");
+    task->plan_reason = fmt::format("{}", fmt::join(reasons, "; "));
     return task;
   }
 
-  /// Returns the reasons for which a finished demonstration is planned again, except for changes of
-  /// its recording.
+  /// Returns why a finished demonstration is planned again, except because its recording changed.
   std::vector<std::string> replan_reasons(const std::optional<FinishedDemonstration>& found) {
-    std::vector<std::string> why;
-    if (!found) return why;
-    if (!found->error.empty()) why.push_back("it failed before: " + found->error);
-    if (found->fingerprint.config != fingerprint_.config)
-      why.push_back("the config changed: " + changes_since(found->fingerprint.config));
-    if (found->fingerprint.robot != fingerprint_.robot) why.push_back("the robot changed");
-    if (found->fingerprint.scene != fingerprint_.scene) why.push_back("the scene changed");
-    if (found->fingerprint.program != fingerprint_.program) why.push_back("morphe was rebuilt");
-    return why;
+    std::vector<std::string> reasons;
+    if (!found) return reasons;
+    const Fingerprint& old = found->fingerprint;
+    if (!found->error.empty()) reasons.push_back("it failed before: " + found->error);
+    if (old.config != fingerprint_.config)
+      reasons.push_back("the config changed: " + changes_since(old.config));
+    if (old.robot != fingerprint_.robot) reasons.push_back("the robot changed");
+    if (old.scene != fingerprint_.scene) reasons.push_back("the scene changed");
+    if (old.program != fingerprint_.program) reasons.push_back("morphe was rebuilt");
+    return reasons;
   }
 
   const std::string& changes_since(const std::string& config) {
-    if (config != explained_) {
-      explained_ = config;
-      changes_ = fmt::format(
+    if (config != compared_config_) {
+      compared_config_ = config;
+      config_changes_ = fmt::format(
           "{}", fmt::join(config_changes(journal_.config(config), request_.config), ", "));
     }
-    return changes_;
+    return config_changes_;
   }
 
   std::unique_ptr<Task> read(const std::string& name) {
@@ -220,22 +217,21 @@ class Run {
   }
 
   std::unique_ptr<TaskResult> work(const Task& task) {
-    auto done = std::make_unique<TaskResult>();
-    if (stop_.received_signal() != 0) return done;
-    done->plan_reason = task.plan_reason;
+    auto result = std::make_unique<TaskResult>();
+    if (stop_.received_signal() != 0) return result;
+    result->plan_reason = task.plan_reason;
     if (task.previous_result) {
-      done->finished = *task.previous_result;
-      return done;
+      result->finished = *task.previous_result;
+      return result;
     }
     progress_.start_demonstration(task.demonstration.name);
-    done->finished = plan(task);
+    result->finished = plan(task);
     progress_.finish_demonstration(task.demonstration.name);
-    store_result(done->finished);
-    return done;
+    store_result(result->finished);
+    return result;
   }
 
-  /// Stores a result at once rather than in the order of writing, because an earlier demonstration
-  /// may take long and be interrupted.
+  /// Stores a result at once, because an earlier demonstration may take long and be interrupted.
   void store_result(FinishedDemonstration& finished) {
     journal_.add(finished);
     finished.plans.clear();
@@ -266,13 +262,14 @@ class Run {
     return finished;
   }
 
-  void write(const TaskResult& done) {
-    const FinishedDemonstration& finished = done.finished;
+  void write(const TaskResult& result) {
+    const FinishedDemonstration& finished = result.finished;
     if (finished.name.empty()) return;
-    if (done.plan_reason.empty()) {
+    if (result.plan_reason.empty()) {
       progress_.add_reused(finished.summary);
     } else {
-      if (request_.explain) progress_.line(fmt::format("{}: {}", finished.name, done.plan_reason));
+      if (request_.explain)
+        progress_.line(fmt::format("{}: {}", finished.name, result.plan_reason));
       progress_.add_result(finished.name, finished.summary, finished.error);
     }
     write_plans(journal_, finished.name, *writer_);
@@ -288,15 +285,9 @@ class Run {
   void commit_finished() {
     try {
       journal_.commit();
-    } catch (
-        const InputError&) {  // the disk is full: the batch is lost, but earlier results are not
+    } catch (const InputError&) {
+      // The disk is full: the batch is lost, but earlier results are not.
     }
-  }
-
-  /// Handles a signal: reports it at once and commits finished results before the next signal.
-  void stop() {
-    progress_.announce_stop();
-    commit_finished();
   }
 
   const std::string& dataset() const { return request_.identity.header.dataset_sha256; }
@@ -306,11 +297,14 @@ class Run {
   Progress& progress_;
   store::DemonstrationReader reader_;
   std::optional<store::PlanWriter> writer_;
-  Fingerprint fingerprint_;  ///< of this run; `input` is set for each demonstration
+  Fingerprint fingerprint_;  ///< of this run, without `input`
   std::int64_t readable_ = 0;
-  std::string first_unreadable_, explained_, changes_;
-  StopSignal stop_{
-      [this] { stop(); }};  // last member, because it calls functions that use the members above
+  std::string first_unreadable_, compared_config_, config_changes_;
+  // The last member, because its callback uses those above.
+  StopSignal stop_{[this] {
+    progress_.announce_stop();
+    commit_finished();
+  }};
 };
 
 }  // namespace

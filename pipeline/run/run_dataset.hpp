@@ -13,49 +13,38 @@ namespace morphe::run {
 
 /// The inputs, outputs and callbacks of a run over a dataset.
 struct RunRequest {
-  /// Path of demonstrations.h5.
-  std::filesystem::path dataset;
-  /// Path of plans.h5, which is replaced when the new file is complete.
-  std::filesystem::path plans;
-  /// Identity; run_dataset() fills in the hash and the size of the dataset.
-  RunIdentity identity;
-  /// Effective config without the paths of files.
-  std::string config;
-  /// Required SHA-256 of the dataset, "" for any.
-  std::string expected_dataset;
-  /// The dataset as it was named by the user; for the journal only.
-  std::string dataset_key;
-  /// The number of threads.
-  int jobs = 1;
-  /// The disk to which plans.h5 is written.
-  files::Disk* disk = &files::real_disk();
-  /// True if the reason for planning a demonstration is printed.
-  bool explain = false;
-  /// Plans one demonstration.
-  std::function<DemonstrationOutcome(const Demonstration&)> plan;
-  /// Returns the rows of a plan in the printed table.
-  std::function<std::string(const Plan&)> rows;
-  /// Called after plans.h5 has been moved to its final path.
-  std::function<void()> publish;
+  std::filesystem::path dataset;  ///< demonstrations.h5
+  std::filesystem::path plans;    ///< plans.h5, which is replaced when the new file is complete
+  RunIdentity identity;           ///< without hash, size and label of the dataset
+  std::string config;             ///< effective config without file names
+  std::string expected_dataset;   ///< required SHA-256 of the dataset, "" for any
+  std::string dataset_key;        ///< the dataset as the user named it
+  int jobs = 1;                   ///< number of threads
+  files::Disk* disk = &files::real_disk();  ///< to which plans.h5 is written
+  bool explain = false;                     ///< print why a demonstration is planned
+  std::function<DemonstrationOutcome(const Demonstration&)> plan;  ///< plans one demonstration
+  std::function<std::string(const Plan&)> rows;  ///< returns a plan's rows in the printed table
+  std::function<void()> publish;  ///< called after plans.h5 has been moved to its final path
 };
 
 /// The result of run_dataset().
 struct RunResult {
-  /// Number of the signal that stopped the run, 0 if it is complete.
-  int signal = 0;
-  /// The sum over the demonstrations of this run.
+  int signal = 0;  ///< signal that stopped the run, 0 if it is complete
   BatchSummary summary;
 };
 
-/// Plans the demonstrations of the dataset (of its shard) that the journal does not yet contain,
-/// and writes plans.h5 from the journal meanwhile, in the order of the dataset. The file takes its
-/// final name when the run is complete. After a signal (StopSignal) the demonstrations that are
-/// running are finished and committed. A demonstration that cannot be read or planned is recorded
-/// as failed and tried again by the next run. Results of demonstrations that the dataset no longer
-/// contains are reported and left out of plans.h5, but stay in the journal. Throws InputError if no
-/// demonstration can be read, if the dataset changes during the run, if results cannot be written,
-/// or if the journal belongs to another dataset, that is, one that was named differently and shares
-/// no unchanged demonstration. Finished results are in the journal in all these cases.
+/// Plans the demonstrations of the dataset, or of its shard, without a result of equal fingerprint
+/// in the journal. Meanwhile writes plans.h5 from the journal, in the order of the dataset. After a
+/// signal (StopSignal) the running demonstrations are finished and committed. A demonstration that
+/// cannot be read or planned is recorded as failed and tried again by the next run. Demonstrations
+/// that the dataset no longer contains are reported; their results stay in the journal, but not in
+/// plans.h5. Throws InputError if
+///   - no demonstration can be read
+///   - the dataset has another hash than `expected_dataset`, or changes during the run
+///   - results cannot be written
+///   - the journal belongs to another dataset, which was named differently and shares no unchanged
+///     demonstration
+/// Results that were finished before an error are kept.
 RunResult run_dataset(Journal& journal, RunRequest request, Progress& progress);
 
 }  // namespace morphe::run

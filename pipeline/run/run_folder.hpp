@@ -10,22 +10,18 @@
 
 namespace morphe::run {
 
-/// The folder of a run with its journal, held by this process alone. Files and folders that were
-/// created are removed again unless a demonstration was finished or keep() was called.
+/// The folder of a run with its journal, held by this process alone. The destructor removes the
+/// files and folders that were created, unless the journal has a result or keep() was called.
 class RunFolder {
  public:
-  /// Creates and locks the folder and opens its journal.
   RunFolder(const std::filesystem::path& path, const std::string& software, const Shard& shard,
             bool fresh);
   ~RunFolder();
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
 
-  /// Returns the path of the folder.
   const std::filesystem::path& path() const { return folder_.path(); }
-  /// Returns the journal of the folder.
   Journal& journal() { return *journal_; }
-  /// Keeps the folder.
   void keep() { kept_ = true; }
   /// Throws InputError if there is a plans.h5 that does not belong to the journal of this folder,
   /// for example one written by a merge or copied by the user, because a run would replace it.

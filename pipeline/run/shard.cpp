@@ -33,13 +33,13 @@ int from_environment(const char* name) {
 
 Shard slurm_shard() {
   const int id = from_environment("SLURM_ARRAY_TASK_ID");
-  const int least = from_environment("SLURM_ARRAY_TASK_MIN");
-  const int most = from_environment("SLURM_ARRAY_TASK_MAX");
+  const int first = from_environment("SLURM_ARRAY_TASK_MIN");
+  const int last = from_environment("SLURM_ARRAY_TASK_MAX");
   const int count = from_environment("SLURM_ARRAY_TASK_COUNT");
-  if (most - least + 1 != count)
+  if (last - first + 1 != count)
     throw InputError(fmt::format(
-        "--shard slurm: the array {}-{} has {} tasks; it must not have gaps", least, most, count));
-  return {id - least + 1, count};
+        "--shard slurm: the array {}-{} has {} tasks; it must not have gaps", first, last, count));
+  return {id - first + 1, count};
 }
 
 }  // namespace
@@ -60,15 +60,14 @@ std::string shard_text(const Shard& shard) {
   return fmt::format("{}/{}", shard.index, shard.count);
 }
 
-std::vector<std::uint32_t> assign_shards(const std::vector<std::size_t>& frames, int count) {
-  std::vector<std::uint32_t> order(frames.size()), shard_of(frames.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return frames[a] > frames[b]; });
-  using Load = std::pair<std::size_t, std::uint32_t>;  // frames so far, index of the shard
+std::vector<int> assign_shards(const std::vector<std::size_t>& frames, int count) {
+  std::vector<int> order(frames.size()), shard_of(frames.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::ranges::greater{}, [&](int i) { return frames[i]; });
+  using Load = std::pair<std::size_t, int>;  // frames so far, index of the shard
   std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
-  for (int i = 1; i <= count; ++i) loads.emplace(0, static_cast<std::uint32_t>(i));
-  for (const std::uint32_t demonstration : order) {
+  for (int i = 1; i <= count; ++i) loads.emplace(0, i);
+  for (const int demonstration : order) {
     const auto [load, shard] = loads.top();
     loads.pop();
     shard_of[demonstration] = shard;

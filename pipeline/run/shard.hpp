@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,7 +8,6 @@ namespace morphe::run {
 
 /// One of `count` parts of a dataset that are planned separately; the index is counted from 1.
 struct Shard {
-  /// The index of the part and the number of parts.
   int index = 1, count = 1;
   bool operator==(const Shard&) const = default;
 };
@@ -20,9 +18,8 @@ Shard parse_shard(const std::string& text);
 /// Returns the text that parse_shard() reads.
 std::string shard_text(const Shard& shard);
 
-/// Assigns each demonstration to a shard, 1 … count: in order of decreasing length, each is given
-/// to the shard with the fewest frames so far (the first of several). The result depends on the
-/// arguments only.
-std::vector<std::uint32_t> assign_shards(const std::vector<std::size_t>& frames, int count);
+/// Returns the shard, 1 … count, of each demonstration with these numbers of frames. In the order
+/// of decreasing length, each demonstration goes to the first of the shards with the fewest frames.
+std::vector<int> assign_shards(const std::vector<std::size_t>& frames, int count);
 
 }  // namespace morphe::run

@@ -5,10 +5,9 @@
 
 namespace morphe::run {
 
-/// The last line of a terminal, on standard error, which shows progress. It is rewritten in place
-/// and removed before other text is printed, so that neither results nor errors are appended to it.
-/// It is never wider than the terminal. If standard error is a file or a pipe, no status line is
-/// shown. It is safe to use from several threads.
+/// The last line on a terminal, which shows progress on standard error. It is rewritten in place,
+/// removed before print() prints, and cut to the width of the terminal. If standard error is a file
+/// or a pipe, it is not shown. It is safe to use from several threads.
 class StatusLine {
  public:
   StatusLine();
@@ -16,11 +15,10 @@ class StatusLine {
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
-  /// Returns true if standard error is a terminal.
+  /// Returns true if standard error is a terminal that can rewrite a line.
   bool on_terminal() const { return terminal_; }
-  /// Replaces the text of the status line.
+  /// Replaces the text of the status line, or removes it.
   void show(const std::string& text);
-  /// Removes the status line.
   void clear();
   /// Prints a permanent line, also to a file or pipe.
   void print(const std::string& text);

@@ -14,16 +14,15 @@
 namespace morphe::run {
 namespace {
 
-/// The registered StopSignal. The listener is never destroyed because a signal may arrive while the
-/// process ends.
+/// The registered StopSignal; never destroyed, because a signal may arrive while the process ends.
 struct StopListener {
   std::mutex mutex;
   StopSignal* stop = nullptr;
 };
 
 StopListener& listener() {
-  static auto* const one = new StopListener;
-  return *one;
+  static auto* const instance = new StopListener;
+  return *instance;
 }
 
 /// Ends the process by the signal itself, so that a shell sees the cause of its death.
@@ -43,36 +42,36 @@ StopListener& listener() {
 void handle_stop_signal(int signal) {
   const std::lock_guard lock(listener().mutex);
   StopSignal* const stop = listener().stop;
-  if (stop && stop->seen_ == 0) {
-    stop->seen_ = signal;
-    stop->telling_ =
-        std::thread([stop] {  // a thread of its own, so that the next signal is handled meanwhile
-          stop->on_stop_();
-          stop->answered_ = true;
-        });
+  if (stop && stop->received_ == 0) {
+    stop->received_ = signal;
+    // A thread of its own, so that the next signal is handled meanwhile.
+    stop->callback_thread_ = std::thread([stop] {
+      stop->on_stop_();
+      stop->returned_ = true;
+    });
     return;
   }
   constexpr std::chrono::milliseconds kMaxWait{300}, kWaitStep{5};
-  for (auto waited = kWaitStep; stop && !stop->answered_ && waited < kMaxWait; waited += kWaitStep)
+  for (auto waited = kWaitStep; stop && !stop->returned_ && waited < kMaxWait; waited += kWaitStep)
     std::this_thread::sleep_for(kWaitStep);
   terminate_by_signal(signal);
 }
 
 void watch_stop_signals() {
-  sigset_t waited_for;
-  sigemptyset(&waited_for);
+  sigset_t watched;
+  sigemptyset(&watched);
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
-    if (action.sa_handler != SIG_IGN) sigaddset(&waited_for, signal);
+    if (action.sa_handler != SIG_IGN) sigaddset(&watched, signal);
   }
-  pthread_sigmask(SIG_BLOCK, &waited_for, nullptr);
-  std::thread([waited_for] {
-    for (int signal = 0; sigwait(&waited_for, &signal) == 0;) handle_stop_signal(signal);
+  pthread_sigmask(SIG_BLOCK, &watched, nullptr);
+  std::thread([watched] {
+    for (int signal = 0; sigwait(&watched, &signal) == 0;) handle_stop_signal(signal);
   }).detach();
 }
 
-StopSignal::StopSignal(std::function<void()> told) : on_stop_(std::move(told)) {
+StopSignal::StopSignal(std::function<void()> on_stop) : on_stop_(std::move(on_stop)) {
   const std::lock_guard lock(listener().mutex);
   listener().stop = this;
 }
@@ -82,7 +81,7 @@ StopSignal::~StopSignal() {
     const std::lock_guard lock(listener().mutex);
     listener().stop = nullptr;
   }
-  if (telling_.joinable()) telling_.join();
+  if (callback_thread_.joinable()) callback_thread_.join();
 }
 
 }  // namespace morphe::run

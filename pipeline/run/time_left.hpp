@@ -8,25 +8,19 @@ namespace morphe::run {
 
 /// The numbers from which the remaining time of a run is estimated.
 struct RunWorkload {
-  /// Total duration of the finished demonstrations [s].
-  double finished_total_s = 0;
-  /// Number of demonstrations that this run has finished.
-  std::int64_t finished = 0;
-  /// Time since the start of each running demonstration [s].
-  std::vector<double> ages_s;
-  /// Number of demonstrations that have not started.
-  std::int64_t waiting = 0;
-  /// The number of threads.
-  int jobs = 1;
+  double finished_total_s = 0;  ///< sum of the durations of the finished demonstrations
+  std::int64_t finished = 0;    ///< demonstrations that this run has finished
+  std::vector<double> ages_s;   ///< time since the start of each running demonstration
+  std::int64_t waiting = 0;     ///< demonstrations that have not started
+  int jobs = 1;                 ///< number of threads
 };
 
-/// Returns the duration of one demonstration [s]: the mean over the finished ones and over those
-/// running ones that have already taken longer. Returns NaN before one is finished.
+/// Returns the expected duration of a demonstration [s]: the mean over the finished ones and those
+/// running ones that have already taken longer than these on average. NaN before one is finished.
 double seconds_per_demonstration(const RunWorkload& work);
 
-/// Returns the time until all demonstrations are finished [s] if each takes
-/// seconds_per_demonstration(). It is at least the time that the youngest running demonstration
-/// still needs. Returns NaN before one is finished.
+/// Returns max(sum of the remaining times / jobs, longest remaining time of a running one) [s], if
+/// each demonstration takes the expected duration; NaN before one is finished.
 double time_left_s(const RunWorkload& work);
 
 /// Formats a duration: "14 s", "5 min", "1.5 h".

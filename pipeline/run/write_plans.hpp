@@ -7,8 +7,8 @@
 
 namespace morphe::run {
 
-/// Copies the plans of one demonstration from the journal to the file, with one plan in memory at a
-/// time.
+/// Copies a demonstration's plans from the journal to the file. Throws InputError if one is
+/// damaged.
 void write_plans(const Journal& journal, const std::string& demonstration,
                  store::PlanWriter& writer);
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include "core/cover/fit_capsules.hpp"
@@ -12,25 +10,20 @@ namespace morphe::setup {
 
 /// The capsules of one link.
 struct LinkCapsules {
-  /// The index of the frame.
   int frame = -1;
-  /// The capsules, in the frame.
-  std::vector<RobotModel::Capsule> capsules;
-  /// The quality of the fit.
-  cover::FitQuality figures;
-  /// The certainty of the capsules.
+  std::vector<RobotModel::Capsule> capsules;  ///< in the frame
+  cover::FitQuality figures;                  ///< how well the capsules fit the shapes
   Provenance sure = Provenance::derived;
 };
 
-/// The maximum number of capsules of a link.
+/// The maximum number of capsules of a link, by its kind; `wrist` is the outer half of the arm.
 struct CapsuleBudget {
-  /// The budgets by kind of link; `wrist` is for the outer half of the arm.
   int arm = 6, wrist = 8, palm = 12, finger = 4;
 };
 
-/// Covers every link with capsules, fitted to its shapes. A link without shapes that extends from
-/// one joint to the next is given a bone whose thickness follows from its inertia (assumed),
-/// because it would not be checked otherwise.
+/// Covers every link with capsules, fitted to its shapes. A link without shapes between two joints
+/// would not be checked for collisions: it gets a capsule from joint to joint, of a thickness that
+/// follows from its inertia (assumed). `arm` are the moving frames of the arm; `hand` may be null.
 std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector<int>& arm,
                                       const Hand* hand, const std::vector<Pad>& pads,
                                       const LinkShapes& shapes, const CapsuleBudget& budget);

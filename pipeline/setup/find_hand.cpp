@@ -4,25 +4,22 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
-#include <numeric>
 #include <set>
 
 #include "core/motion/human_motion.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/robot/tree.hpp"
+#include "pipeline/setup/yaml_text.hpp"
 
 namespace morphe::setup {
 namespace {
 
-/// Along its links, from the frame at which the fingers branch.
-constexpr double kMaxHandLength_m = 0.35;
-/// Other bars of a gripper end before this share of its length.
-constexpr double kMinReachRatio = 0.7;
+constexpr double kMaxHandLength_m = 0.35;  ///< along its links, from where the fingers branch
+constexpr double kMinEndRatio = 0.7;       ///< of a gripper's second end to its first, in distance
 
-/// The subtree of a frame: its length along the links, and the last moving frames.
+/// The subtree of a frame: its greatest length along the links, and its last moving frames.
 struct Subtree {
-  double reach_m = 0;
+  double length_m = 0;
   std::vector<int> leaves;
 };
 
@@ -31,31 +28,25 @@ Subtree subtree_of(const Kinematics& robot, int frame) {
   for (const int child : robot.children[frame]) {
     const Subtree further = subtree_of(robot, child);
     const double link_m = robot.frame(child).transform.translation().norm();
-    found.reach_m = std::max(found.reach_m, link_m + further.reach_m);
+    found.length_m = std::max(found.length_m, link_m + further.length_m);
     found.leaves.insert(found.leaves.end(), further.leaves.begin(), further.leaves.end());
   }
   if (found.leaves.empty() && robot.moves(frame)) found.leaves = {frame};
   return found;
 }
 
-/// Finds the shallowest frames at which short fingers branch.
+/// Appends to `roots` the frames nearest to the base at which short fingers branch.
 void find_roots(const Kinematics& robot, int frame, std::vector<int>& roots) {
   const Subtree all = subtree_of(robot, frame);
   if (all.leaves.size() < 2) return;
   const auto& children = robot.children[frame];
   const auto branches = std::ranges::count_if(
       children, [&](int child) { return !subtree_of(robot, child).leaves.empty(); });
-  if (branches > 1 && all.reach_m <= kMaxHandLength_m) {
+  if (branches > 1 && all.length_m <= kMaxHandLength_m) {
     roots.push_back(frame);
     return;
   }
   for (const int child : children) find_roots(robot, child, roots);
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// Returns the finger indicated by the names of joints and links, -1 if there is no indication.
@@ -86,30 +77,27 @@ Vec3 closing_axis(const Kinematics& robot, const Finger& finger) {
 
 bool driven_by_one_joint(const Kinematics& robot, const std::vector<Finger>& fingers) {
   std::set<int> drivers;
-  for (const Finger& finger : fingers) {
+  for (const Finger& finger : fingers)
     for (const int f : finger.frames) drivers.insert(robot.frame(f).joint);
-  }
   return drivers.size() == 1;
 }
 
-/// Returns the two ends of a gripper: the farthest one, and the one of similar length that is
-/// farthest from it.
+/// Returns the two fingers of a gripper: the one that ends farthest from the palm, and that among
+/// those of similar length whose end is farthest from the first.
 std::vector<Finger> gripper_fingers(const Kinematics& robot, int root,
                                     std::vector<Finger> fingers) {
   const Vec3 palm = robot.pose(root).translation();
-  const auto reach = [&](const Finger& finger) {
+  const auto extent = [&](const Finger& finger) {
     return (last_joint_position(robot, finger) - palm).norm();
   };
-  const auto first = std::ranges::max_element(fingers, {}, reach);
+  const auto first = std::ranges::max_element(fingers, {}, extent);
   const Vec3 end = last_joint_position(robot, *first);
-  const double least_m = kMinReachRatio * reach(*first);
-  const auto apart = [&](const Finger& finger) {
-    const bool other = finger.frames.back() != first->frames.back();
-    return !other                    ? -2
-           : reach(finger) < least_m ? -1
-                                     : (last_joint_position(robot, finger) - end).norm();
-  };
-  const auto second = std::ranges::max_element(fingers, {}, apart);
+  const double min_extent_m = kMinEndRatio * extent(*first);
+  const auto second = std::ranges::max_element(fingers, {}, [&](const Finger& finger) {
+    return finger.frames.back() == first->frames.back() ? -2
+           : extent(finger) < min_extent_m              ? -1
+                                           : (last_joint_position(robot, finger) - end).norm();
+  });
   std::vector<Finger> ends = {*first, *second};
   if (second < first) std::swap(ends[0], ends[1]);
   ends[0].finger = 0;
@@ -119,14 +107,13 @@ std::vector<Finger> gripper_fingers(const Kinematics& robot, int root,
 }
 
 /// Finds the finger whose closing axis is the least similar to the others'.
-std::size_t find_thumb(const Kinematics& robot, const std::vector<Finger>& fingers) {
-  std::vector<double> alike(fingers.size(), 0);
-  for (std::size_t i = 0; i < fingers.size(); ++i) {
-    for (std::size_t k = 0; k < fingers.size(); ++k) {
-      if (i != k) alike[i] += closing_axis(robot, fingers[i]).dot(closing_axis(robot, fingers[k]));
-    }
-  }
-  return std::ranges::min_element(alike) - alike.begin();
+std::ptrdiff_t find_thumb(const Kinematics& robot, const std::vector<Finger>& fingers) {
+  std::vector<double> similarity(fingers.size(), 0);
+  for (int i = 0; i < std::ssize(fingers); ++i)
+    for (int k = 0; k < std::ssize(fingers); ++k)
+      if (i != k)
+        similarity[i] += closing_axis(robot, fingers[i]).dot(closing_axis(robot, fingers[k]));
+  return std::ranges::min_element(similarity) - similarity.begin();
 }
 
 /// Numbers the fingers other than the thumb, starting from its side.
@@ -137,18 +124,17 @@ void order_by_geometry(const Kinematics& robot, std::vector<Finger>& fingers) {
     return robot.pose(finger.frames.front()).translation();
   };
   Vec3 across = Vec3::Zero();  // the axes of the fingers are directed across the palm
-  for (std::size_t i = 1; i < fingers.size(); ++i) across += closing_axis(robot, fingers[i]);
+  for (int i = 1; i < std::ssize(fingers); ++i) across += closing_axis(robot, fingers[i]);
   across.normalize();
   Vec3 middle = Vec3::Zero();
-  for (std::size_t i = 1; i < fingers.size(); ++i) {
+  for (int i = 1; i < std::ssize(fingers); ++i)
     middle += root(fingers[i]) / static_cast<double>(fingers.size() - 1);
-  }
   const Vec3 thumb = 0.5 * (root(fingers[0]) + last_joint_position(robot, fingers[0])) - middle;
   if (thumb.dot(across) < 0) across = -across;
   std::ranges::sort(fingers.begin() + 1, fingers.end(), std::ranges::greater{},
                     [&](const Finger& finger) { return root(finger).dot(across); });
-  for (std::size_t i = 0; i < fingers.size(); ++i) {
-    fingers[i].finger = static_cast<int>(std::min(i, kFingerCount - 1));
+  for (int i = 0; i < std::ssize(fingers); ++i) {
+    fingers[i].finger = std::min<int>(i, kFingerCount - 1);
     fingers[i].finger_provenance = Provenance::derived;
   }
 }
@@ -169,14 +155,13 @@ void identify_fingers(const Kinematics& robot, std::vector<Finger>& fingers) {
 
 }  // namespace
 
-std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called) {
+std::optional<Hand> find_hand(const Kinematics& robot, const std::string& link_name) {
   std::vector<int> roots;
-  if (!called.empty()) {
-    const auto link = robot.model->links.find(called);
-    if (link == robot.model->links.end()) {
+  if (!link_name.empty()) {
+    const auto link = robot.model->links.find(link_name);
+    if (link == robot.model->links.end())
       throw InputError(
-          fmt::format("{}: link '{}' does not exist", robot.model->file.string(), called));
-    }
+          fmt::format("{}: link '{}' does not exist", robot.model->file.string(), link_name));
     roots = {link->second};
   } else {
     find_roots(robot, 0, roots);
@@ -190,9 +175,8 @@ std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called
   }
   Hand hand;
   hand.root = roots.front();
-  for (const int leaf : subtree_of(robot, hand.root).leaves) {
+  for (const int leaf : subtree_of(robot, hand.root).leaves)
     hand.fingers.push_back({0, joint_frames_between(robot, hand.root, leaf), Provenance::assumed});
-  }
   if (hand.fingers.size() < 2) return std::nullopt;
   hand.gripper = driven_by_one_joint(robot, hand.fingers);
   if (hand.gripper) {

@@ -10,8 +10,10 @@
 
 namespace morphe::setup {
 
-/// The certainty of a derived property: read from the file or indicated by its names; derived from
-/// geometry by a rule that fits most robots; or assumed without evidence.
+/// The certainty of a property of a generated description.
+///   read     stated in the file, or indicated by its names
+///   derived  from the geometry, by a rule that fits most robots
+///   assumed  without evidence
 enum class Provenance { read, derived, assumed };
 /// Returns the names of the values.
 constexpr std::array<std::string_view, 3> names_of(Provenance) {
@@ -21,30 +23,26 @@ constexpr std::array<std::string_view, 3> names_of(Provenance) {
 /// A finger of a robot hand.
 struct Finger {
   int finger = 0;           ///< index of the finger, 0 thumb … 4 little
-  std::vector<int> frames;  ///< frames that move, from the palm to the last one
+  std::vector<int> frames;  ///< moving frames, from the palm to the tip
   Provenance finger_provenance = Provenance::assumed;  ///< certainty of `finger`
 };
 
 /// A robot hand.
 struct Hand {
-  /// Frame at which the fingers branch.
-  int root = -1;
-  /// Fingers, the thumb first.
-  std::vector<Finger> fingers;
-  /// True if all fingers are driven by one joint.
-  bool gripper = false;
-  /// The side of the hand.
+  int root = -1;                ///< frame at which the fingers branch
+  std::vector<Finger> fingers;  ///< the thumb first
+  bool gripper = false;         ///< true if one joint drives all fingers
   Side side = Side::right;
 };
 
-/// The points of all bodies fixed to a frame, in that frame: vertices of its shapes.
+/// For each frame, points on the surfaces of its shapes, in that frame [m].
 using BodyPoints = std::map<int, std::vector<Vec3>>;
 
-/// Finds the frame at which at least two fingers branch, each no longer than a hand; if `called` is
-/// given, the one whose link has that name. Fingers are identified by their names (thumb, FF, …),
-/// otherwise by their geometry: the last axis of the thumb is the least parallel to the others',
-/// and the other fingers are ordered from the thumb's side. Returns an empty value for an arm
-/// alone. Throws InputError if there are several hands.
-std::optional<Hand> find_hand(const Kinematics& robot, const std::string& called);
+/// Finds the hand: the frame at which at least two fingers branch, each no longer than a hand. If
+/// `link_name` is not "", the hand begins at the link of that name. Fingers are identified by their
+/// names (thumb, FF, …), otherwise by their geometry: the last axis of the thumb is the least
+/// parallel to those of the others, and the others are ordered from the thumb's side. Returns
+/// nullopt for an arm alone. Throws InputError for several hands, and if the link does not exist.
+std::optional<Hand> find_hand(const Kinematics& robot, const std::string& link_name);
 
 }  // namespace morphe::setup

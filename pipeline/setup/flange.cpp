@@ -5,24 +5,24 @@
 namespace morphe::setup {
 namespace {
 
-/// Returns the frame fixed to the last link, near its axis, that is farthest along the axis.
+/// Returns the frame farthest along the last axis, of those fixed to the last link near this axis.
 int farthest_fixed_frame(const Kinematics& robot, int last, const Vec3& outwards) {
   const Line axis = robot.axis(last);
   int best = last;
-  double farthest = 1e-6;
-  const auto look = [&](const auto& self, int frame) -> void {
+  double farthest_m = 1e-6;
+  const auto search = [&](const auto& self, int frame) -> void {
     for (const int child : robot.children[frame]) {
       if (robot.moves(child)) continue;
-      const Vec3 at = robot.pose(child).translation();
-      const double along = (at - axis.point).dot(outwards);
-      if (distance(axis, at) < 0.005 && along > farthest) {
+      const Vec3 origin = robot.pose(child).translation();
+      const double along_m = (origin - axis.point).dot(outwards);
+      if (distance(axis, origin) < 0.005 && along_m > farthest_m) {
         best = child;
-        farthest = along;
+        farthest_m = along_m;
       }
       self(self, child);
     }
   };
-  look(look, last);
+  search(search, last);
   return best;
 }
 
@@ -32,8 +32,7 @@ Flange find_flange(const Kinematics& robot, const std::vector<int>& arm) {
   Flange flange;
   const int last = arm.back();
   const Line axis = robot.axis(last);
-  // The preceding joint is behind the flange; if the two frames coincide, +z is the usual
-  // direction.
+  // Outwards is away from the preceding joint; if both joints coincide, usually along +axis.
   Vec3 outwards = axis.direction;
   if (arm.size() > 1) {
     const Vec3 before = robot.pose(arm[arm.size() - 2]).translation();

@@ -7,17 +7,13 @@
 
 namespace morphe::setup {
 
-/// The flange to which a hand is mounted: z along the last axis, outwards (away from the preceding
-/// joints), x as in the link that the file has there.
+/// The flange to which a hand is mounted: z along the last axis, outwards; x near that of the link.
 struct Flange {
-  /// The index of the frame to which the flange is fixed.
-  int frame = -1;
-  /// The pose of the flange in the frame.
+  int frame = -1;  ///< frame to which the flange is fixed
   Pose frame_from_flange = Pose::Identity();
-  /// The certainty of the pose.
   Provenance sure = Provenance::derived;
 };
-/// Finds the flange of an arm.
+/// Finds the flange of an arm with these moving frames; there must be one.
 Flange find_flange(const Kinematics& robot, const std::vector<int>& arm);
 
 }  // namespace morphe::setup

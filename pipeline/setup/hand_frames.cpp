@@ -5,6 +5,7 @@
 
 #include "core/robot/hand_proportions.hpp"
 #include "core/robot/tree.hpp"
+#include "pipeline/setup/yaml_text.hpp"
 
 namespace morphe::setup {
 namespace {
@@ -25,26 +26,25 @@ std::vector<Vec3> last_link_points(const Kinematics& robot, int last, const Body
   return found;
 }
 
-/// Finds a frame below the last joint that is named a tip or has no shapes.
+/// Returns the farthest frame from the last axis that is named a tip; else that has no shapes; else
+/// -1. A metre is added to the distance of frames named a tip, so that they come first.
 int find_urdf_tip(const Kinematics& robot, int last, const BodyPoints& points) {
   int best = -1;
-  double farthest = 1e-3;
-  const auto look = [&](const auto& self, int frame) -> void {
+  double farthest_m = 1e-3;
+  const auto search = [&](const auto& self, int frame) -> void {
     for (const int child : robot.children[frame]) {
       if (robot.moves(child)) continue;
-      std::string name = robot.link[child];
-      std::ranges::transform(name, name.begin(),
-                             [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      const bool called = name.find("tip") != std::string::npos;
-      const double away = distance(robot.axis(last), robot.pose(child).translation());
-      if ((called || !points.contains(child)) && away + (called ? 1 : 0) > farthest) {
+      const bool named = lower_case(robot.link[child]).find("tip") != std::string::npos;
+      const double distance_m =
+          distance(robot.axis(last), robot.pose(child).translation()) + (named ? 1 : 0);
+      if ((named || !points.contains(child)) && distance_m > farthest_m) {
         best = child;
-        farthest = away + (called ? 1 : 0);
+        farthest_m = distance_m;
       }
       self(self, child);
     }
   };
-  look(look, last);
+  search(search, last);
   return best;
 }
 
@@ -54,33 +54,33 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
   return sum;
 }
 
-/// Returns the mean of the points within a few millimetres of the farthest one along a direction.
+/// Returns the mean of the points within kEndDepth_m of the farthest one along a direction.
 Vec3 farthest_point_along(const std::vector<Vec3>& points, const Vec3& direction) {
   constexpr double kEndDepth_m = 0.003;
   double farthest = -HUGE_VAL;
   for (const Vec3& point : points) farthest = std::max(farthest, point.dot(direction));
   std::vector<Vec3> end;
-  for (const Vec3& point : points) {
+  for (const Vec3& point : points)
     if (point.dot(direction) > farthest - kEndDepth_m) end.push_back(point);
-  }
   return mean_of(end);
 }
 
-/// Returns the point of the surface above the line of the bone, slightly before its end.
+/// Returns the point at the height of the surface along `normal`, slightly before the end along
+/// `bone`, and in the middle of the width. `from` is on the bone; the vectors are unit vectors.
 Vec3 pad_surface(const std::vector<Vec3>& points, const Vec3& from, const Vec3& bone,
                  const Vec3& normal) {
   double end = -HUGE_VAL, height = -HUGE_VAL;
   for (const Vec3& point : points) end = std::max(end, (point - from).dot(bone));
   const double station = end - std::min(kPadSetback_m, 0.3 * end);
   const Vec3 side = bone.cross(normal);
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min_side = HUGE_VAL, max_side = -HUGE_VAL;
   for (const Vec3& point : points) {
     if ((point - from).dot(bone) < station - kPadSetback_m) continue;
     height = std::max(height, (point - from).dot(normal));
-    least = std::min(least, (point - from).dot(side));
-    most = std::max(most, (point - from).dot(side));
+    min_side = std::min(min_side, (point - from).dot(side));
+    max_side = std::max(max_side, (point - from).dot(side));
   }
-  return from + station * bone + height * normal + 0.5 * (least + most) * side;
+  return from + station * bone + height * normal + 0.5 * (min_side + max_side) * side;
 }
 
 Pose make_frame(const Vec3& origin, const Vec3& x, const Vec3& z) {
@@ -92,7 +92,7 @@ Pose make_frame(const Vec3& origin, const Vec3& x, const Vec3& z) {
   return pose;
 }
 
-/// Estimates the end of a body without shapes from its centre of mass.
+/// Returns the point twice as far from the axis as the centre of mass; the joint's without inertia.
 Vec3 fingertip_from_inertia(const Kinematics& robot, int last, const Line& axis) {
   const auto inertia = robot.model->inertias.find(robot.link[last]);
   if (inertia == robot.model->inertias.end()) return robot.pose(last).translation();
@@ -106,21 +106,22 @@ Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& po
   pad.frame = finger.frames.back();
   const Line axis = robot.axis(pad.frame);
   const std::vector<Vec3> body = last_link_points(robot, pad.frame, points);
-  const int own = find_urdf_tip(robot, pad.frame, points);
+  const int tip_frame = find_urdf_tip(robot, pad.frame, points);
   Vec3 end = Vec3::Zero();
-  if (own >= 0) {
-    pad.urdf_tip_link = robot.link[own];
-    end = robot.pose(own).translation();
+  if (tip_frame >= 0) {
+    pad.urdf_tip_link = robot.link[tip_frame];
+    end = robot.pose(tip_frame).translation();
     pad.urdf_tip = robot.pose(pad.frame).inverse() * end;
   }
   if (!body.empty()) {
-    const Vec3 towards = own >= 0 ? end : mean_of(body);
-    const Vec3 way =
+    const Vec3 towards = tip_frame >= 0 ? end : mean_of(body);
+    const Vec3 direction =
         perpendicular_part(towards - project_onto_line(axis, towards), axis.direction).normalized();
-    const Vec3 shapes_end = farthest_point_along(body, way);
-    pad.tip_beyond_shapes = own >= 0 && (end - shapes_end).dot(way) > kMaxTipBeyondShapes_m;
+    const Vec3 shapes_end = farthest_point_along(body, direction);
+    pad.tip_beyond_shapes =
+        tip_frame >= 0 && (end - shapes_end).dot(direction) > kMaxTipBeyondShapes_m;
     if (!pad.tip_beyond_shapes) end = shapes_end;
-  } else if (own < 0) {
+  } else if (tip_frame < 0) {
     end = fingertip_from_inertia(robot, pad.frame, axis);
   }
   const Vec3 from = project_onto_line(axis, end);
@@ -131,7 +132,9 @@ Pad find_pad(const Kinematics& robot, const Finger& finger, const BodyPoints& po
   const bool measured = !body.empty() && !pad.tip_beyond_shapes;
   const Vec3 surface =
       measured ? pad_surface(body, from, bone, normal) : Vec3(end + kPadDepth_m * normal);
-  pad.sure = measured ? Provenance::derived : own >= 0 ? Provenance::read : Provenance::assumed;
+  pad.sure = measured         ? Provenance::derived
+             : tip_frame >= 0 ? Provenance::read
+                              : Provenance::assumed;
   pad.frame_from_pad = robot.pose(pad.frame).inverse() * make_frame(surface, normal, bone);
   return pad;
 }
@@ -152,15 +155,15 @@ std::vector<Pad> gripper_pads(const Kinematics& robot, const Hand& hand, const B
     forward = perpendicular_part(robot.pose(hand.root).linear().col(2), between);
   forward.normalize();
   std::vector<Pad> pads;
-  for (const std::size_t k : {0, 1}) {
+  for (const int k : {0, 1}) {
     Pad pad;
     pad.frame = hand.fingers[k].frames.back();
     const Vec3 normal = k == 0 ? between : Vec3(-between);
     const std::vector<Vec3> body = last_link_points(robot, pad.frame, points);
-    const int own = find_urdf_tip(robot, pad.frame, points);
-    if (own >= 0) {
-      pad.urdf_tip_link = robot.link[own];
-      pad.urdf_tip = robot.pose(pad.frame).inverse() * robot.pose(own).translation();
+    const int tip_frame = find_urdf_tip(robot, pad.frame, points);
+    if (tip_frame >= 0) {
+      pad.urdf_tip_link = robot.link[tip_frame];
+      pad.urdf_tip = robot.pose(pad.frame).inverse() * robot.pose(tip_frame).translation();
     }
     pad.sure = body.empty() ? Provenance::assumed : Provenance::derived;
     const Vec3 surface = body.empty() ? middle[k] : pad_surface(body, palm, forward, normal);
@@ -180,16 +183,14 @@ std::vector<Pad> find_pads(const Kinematics& robot, const Hand& hand, const Body
 }
 
 Palm find_palm(const Kinematics& robot, const Hand& hand, const std::vector<Pad>& pads) {
-  const auto pad = [&](std::size_t i) {
-    return robot.pose(pads[i].frame) * pads[i].frame_from_pad;
-  };
-  const auto knuckle = [&](std::size_t i) -> Vec3 {
+  const auto pad = [&](int i) { return robot.pose(pads[i].frame) * pads[i].frame_from_pad; };
+  const auto knuckle = [&](std::ptrdiff_t i) -> Vec3 {
     return robot.pose(hand.fingers[i].frames.front()).translation();
   };
-  const std::size_t count = hand.fingers.size();
+  const auto count = std::ssize(hand.fingers);
   Vec3 bones = Vec3::Zero(), normals = Vec3::Zero(), axes = Vec3::Zero(), knuckles = Vec3::Zero();
   double length_m = 0;
-  for (std::size_t i = 1; i < count; ++i) {
+  for (int i = 1; i < count; ++i) {
     const double share = 1.0 / static_cast<double>(count - 1);
     const Vec3 bone = pad(i).translation() - knuckle(i);
     bones += share * bone;
@@ -200,12 +201,11 @@ Palm find_palm(const Kinematics& robot, const Hand& hand, const std::vector<Pad>
   }
   Palm palm;
   const Vec3 to_thumb = 0.5 * (knuckle(0) + pad(0).translation()) - knuckles;
-  Vec3 y = hand.gripper ? Vec3(-pad(0).linear().col(0))
-                        : axes;  // the pad of a thumb faces the other fingers
+  // The pad of a thumb faces the other fingers.
+  Vec3 y = hand.gripper ? Vec3(-pad(0).linear().col(0)) : axes;
   y.normalize();
   const Vec3 order = count > 2 ? Vec3(knuckle(1) - knuckle(count - 1)) : to_thumb;
-  // The order of the fingers indicates the side of the thumb as well, even if the thumb is in the
-  // middle.
+  // The order of the fingers indicates the side of the thumb even if the thumb is in the middle.
   const Vec3 sidewards = std::abs(order.dot(y)) > 0.005 ? order : to_thumb;
   if (!hand.gripper && sidewards.dot(y) < 0) y = -y;
   const Vec3 z =

@@ -9,32 +9,28 @@ namespace morphe::setup {
 
 /// A point fixed in a frame that corresponds to a joint of the human.
 struct JointCentre {
-  /// The index of the frame.
   int frame = -1;
-  /// The position in the frame [m].
-  Vec3 position = Vec3::Zero();
-  /// The certainty of the position.
+  Vec3 position = Vec3::Zero();  ///< in the frame [m]
   Provenance sure = Provenance::derived;
-  /// Largest distance of the point from the axes [m].
-  double axis_distance_m = 0;
+  double axis_distance_m = 0;  ///< largest distance of the point from the axes that define it
 };
 
-/// The shoulder, elbow and wrist of an arm, derived from the intersections of its axes rather than
-/// from the origins of its frames:
-///   shoulder  the point on the first axis nearest to the first axes; these are three if they pass
-///             one point within 10 mm, otherwise two
-///   elbow     the projection of the shoulder onto the next axis
-///   wrist     the intersection of the last two axes before that of the flange, otherwise of the
-///             last two
+/// The shoulder, elbow and wrist of an arm, derived from its axes, not from the frames' origins:
+///   shoulder  the point on the first axis nearest to the intersection of the first axes: of three
+///   if
+///             the arm has seven and they pass one point within 10 mm, otherwise of two
+///   elbow     the projection of the shoulder onto the axis after those
+///   wrist     the intersection of the last axes but one and two, else of the last two, else the
+///             origin of the last joint but one (assumed)
+/// For an arm of fewer than three joints: the origins of the first and the last joint (assumed).
 struct ArmCentres {
-  /// The centres.
   JointCentre shoulder, elbow, wrist;
 };
-/// Computes the joint centres of an arm.
+/// Returns the joint centres of an arm with these moving frames.
 ArmCentres arm_centres(const Kinematics& robot, const std::vector<int>& arm);
 
-/// Returns the middle joint of a finger: the last hinge but one of at least three that bend in the
-/// same way (axes within 25 degrees), otherwise the last one. Returns -1 if there is only one.
+/// Returns the frame of a finger's middle joint. Of the hinges with axes within 25 degrees of the
+/// last one's, it is the last but one of at least three, or the last of two; otherwise -1.
 int middle_joint(const Kinematics& robot, const Finger& finger);
 
 }  // namespace morphe::setup

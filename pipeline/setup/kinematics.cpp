@@ -18,26 +18,27 @@ double Kinematics::closing_sign(int f) const {
   return (up >= down ? 1 : -1) * (moved.ratio >= 0 ? 1 : -1);
 }
 
+JointVector rest_position(const RobotModel& robot) {
+  return JointVector::Zero(robot.lower.size()).cwiseMax(robot.lower).cwiseMin(robot.upper);
+}
+
 Kinematics kinematics_of(const robot::UrdfModel& model) {
   Kinematics robot;
   robot.model = &model;
   const RobotModel& table = model.table;
-  robot.rest = JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
+  robot.rest = rest_position(table);
   robot::forward_kinematics(table, robot.rest, robot.base_from_frame);
   robot.children.resize(table.frames.size());
-  for (std::size_t f = 0; f < table.frames.size(); ++f) {
-    const int parent = table.frames[f].parent;
-    if (parent >= 0) robot.children[parent].push_back(static_cast<int>(f));
-  }
+  for (int f = 0; f < std::ssize(table.frames); ++f)
+    if (const int parent = table.frames[f].parent; parent >= 0) robot.children[parent].push_back(f);
   robot.link = model.link_of_frame();
   return robot;
 }
 
 std::vector<int> joint_frames_between(const Kinematics& robot, int above, int frame) {
   std::vector<int> found;
-  for (int f = frame; f >= 0 && f != above; f = robot.frame(f).parent) {
+  for (int f = frame; f >= 0 && f != above; f = robot.frame(f).parent)
     if (robot.moves(f)) found.push_back(f);
-  }
   std::ranges::reverse(found);
   return found;
 }

@@ -9,26 +9,18 @@ namespace morphe::setup {
 
 /// A line through a point, in the base frame.
 struct Line {
-  /// A point of the line [m] and its direction (unit vector).
-  Vec3 point = Vec3::Zero(), direction = Vec3::UnitZ();
+  Vec3 point = Vec3::Zero(), direction = Vec3::UnitZ();  ///< [m], unit vector
 };
 
 /// The frames of a URDF with all joints as near to zero as their limits allow.
 struct Kinematics {
-  /// The model of the URDF.
   const robot::UrdfModel* model = nullptr;
-  /// The joint positions.
-  JointVector rest;
-  /// The pose of each frame in the base frame.
-  std::vector<Pose> base_from_frame;
-  /// [frames] children of each frame.
-  std::vector<std::vector<int>> children;
-  /// [frames] link of each frame.
-  std::vector<std::string> link;
+  JointVector rest;                        ///< joint positions
+  std::vector<Pose> base_from_frame;       ///< [frames]
+  std::vector<std::vector<int>> children;  ///< [frames]
+  std::vector<std::string> link;           ///< [frames]
 
-  /// Returns the table of the robot model.
   const RobotModel& table() const { return model->table; }
-  /// Returns a frame of the table.
   const RobotModel::Frame& frame(int f) const { return model->table.frames[f]; }
   /// Returns the pose of a frame in the base frame.
   const Pose& pose(int f) const { return base_from_frame[f]; }
@@ -36,15 +28,15 @@ struct Kinematics {
   bool moves(int f) const { return frame(f).joint >= 0; }
   /// Returns the axis about which a moving frame turns or along which it slides.
   Line axis(int f) const;
-  /// Returns +1 or -1: the direction, as a value of the frame, towards the larger part of its
-  /// range from rest.
+  /// Returns +1 or -1: the direction from rest into the larger part of a moving frame's range.
   double closing_sign(int f) const;
 };
-/// Computes the kinematics of a URDF.
+/// Returns the joint positions nearest to zero within the robot's limits.
+JointVector rest_position(const RobotModel& robot);
+/// Computes the kinematics of a URDF, which must outlive them.
 Kinematics kinematics_of(const robot::UrdfModel& model);
 
-/// Returns the moving frames on the path from below `above` (-1 = base) to a frame, including the
-/// frame.
+/// Returns the moving frames from `above` (exclusive; -1 = base) to `frame` (inclusive), in order.
 std::vector<int> joint_frames_between(const Kinematics& robot, int above, int frame);
 
 /// Returns the point of a line nearest to another point.

@@ -1,10 +1,9 @@
 #include "pipeline/setup/limits.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 
 #include "pipeline/setup/published_limits.hpp"
+#include "pipeline/setup/yaml_text.hpp"
 
 namespace morphe::setup {
 namespace {
@@ -12,27 +11,19 @@ namespace {
 constexpr double kAccelerationPerVelocity = 3, kJerkPerAcceleration = 50;  // [1/s]
 constexpr double kDefaultVelocity_rad_s = 1, kDefaultVelocity_m_s = 0.1;   // [rad/s], [m/s]
 
-bool contains_word(const std::string& text, std::string_view word) {
-  std::string lower = text;
-  std::ranges::transform(lower, lower.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return lower.find(word) != std::string::npos;
-}
-
-/// Returns the first seven consecutive joints from the base, which are those of an arm.
+/// Returns the joints of the first seven moving frames, which are those of an arm.
 std::vector<int> seven_joints(const Kinematics& robot) {
   std::vector<int> joints;
-  for (std::size_t f = 0; f < robot.table().frames.size() && joints.size() < 7; ++f) {
-    if (robot.moves(static_cast<int>(f))) joints.push_back(robot.frame(static_cast<int>(f)).joint);
-  }
+  for (int f = 0; f < std::ssize(robot.table().frames) && joints.size() < 7; ++f)
+    if (robot.moves(f)) joints.push_back(robot.frame(f).joint);
   return joints;
 }
 
 const PublishedArm* find_published_arm(const Kinematics& robot) {
+  const std::string names =
+      lower_case(robot.model->name + "\n" + robot.table().joint_names.front());
   for (const PublishedArm& arm : kPublishedArms) {
-    const bool named = contains_word(robot.model->name, arm.name) ||
-                       contains_word(robot.table().joint_names.front(), arm.name);
-    if (named && seven_joints(robot).size() == 7) return &arm;
+    if (names.find(arm.name) != std::string::npos && seven_joints(robot).size() == 7) return &arm;
   }
   return nullptr;
 }
@@ -50,7 +41,7 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
   const PublishedArm* arm = find_published_arm(robot);
   const std::vector<int> seven = seven_joints(robot);
   std::vector<JointLimits> limits;
-  for (std::size_t j = 0; j < table.joints(); ++j) {
+  for (int j = 0; j < std::ssize(table.joint_names); ++j) {
     const robot::UrdfJoint& joint = *robot.model->joint(table.joint_names[j]);
     JointLimits own;
     own.joint = joint.name;
@@ -61,18 +52,16 @@ std::vector<JointLimits> joint_limits(const Kinematics& robot) {
     if (!joint.velocity) own.velocity = slides[j] ? kDefaultVelocity_m_s : kDefaultVelocity_rad_s;
     own.acceleration = kAccelerationPerVelocity * joint.velocity.value_or(own.velocity.value_or(1));
     own.jerk = kJerkPerAcceleration * own.acceleration;
-    const auto at = std::ranges::find(seven, static_cast<int>(j));
-    if (arm && at != seven.end()) {
-      const auto k = static_cast<std::size_t>(at - seven.begin());
+    const auto k = std::ranges::find(seven, j) - seven.begin();
+    if (arm && k < std::ssize(seven)) {
       own.acceleration = arm->acceleration[k];
       own.jerk = arm->jerk[k] > 0 ? arm->jerk[k] : kJerkPerAcceleration * own.acceleration;
       own.sure = Provenance::read;
       own.source = arm->source;
       const PublishedArm::Braking& braking = arm->braking[k];
-      if (braking.slope > 0) {
-        own.braking = {static_cast<int>(j), braking.slope, braking.drop, braking.lower_end,
+      if (braking.twice_deceleration > 0)
+        own.braking = {j, braking.twice_deceleration, braking.velocity_offset, braking.lower_end,
                        braking.upper_end};
-      }
     }
     limits.push_back(own);
   }

@@ -9,29 +9,20 @@
 
 namespace morphe::setup {
 
-/// The limits of a joint that a description adds to its URDF; empty values are those that the URDF
-/// contains.
+/// The limits of a joint that a description adds to its URDF.
 struct JointLimits {
-  /// The name of the joint.
-  std::string joint;
-  /// The position limits [rad or m] and the velocity limit [rad/s or m/s].
-  std::optional<double> lower, upper, velocity;
-  /// The acceleration and jerk limits.
+  std::string joint;                             ///< its name
+  std::optional<double> lower, upper, velocity;  ///< [rad or m, /s]; unset if the URDF has them
   double acceleration = 0, jerk = 0;
-  /// The braking curve, if one is published.
-  std::optional<RobotModel::BrakingCurve> braking;
-  /// The certainty of the limits.
+  std::optional<RobotModel::BrakingCurve> braking;  ///< if one is published
   Provenance sure = Provenance::assumed;
-  /// Publisher of the limits, "" if they are not published.
-  std::string source;
+  std::string source;  ///< publisher of the limits, "" if they are not published
 };
 
-/// Returns the limits of every actuated joint. Robots with published limits are given those;
-/// otherwise
-///   acceleration = 3 / s velocity, jerk = 50 / s acceleration,
-/// which no published table (Franka Panda and Research 3, KUKA iiwa, Kinova Gen3) falls below,
-/// except for the wrist of the Research 3. The velocity is 1 rad/s or 0.1 m/s if the URDF has no
-/// velocity.
+/// Returns the limits of every actuated joint: those published for the robot, otherwise
+///   acceleration = 3 / s * velocity, jerk = 50 / s * acceleration.
+/// No published table (Franka Panda and Research 3, KUKA iiwa, Kinova Gen3) is below these, except
+/// for the wrist of the Research 3. A velocity missing in the URDF becomes 1 rad/s or 0.1 m/s.
 std::vector<JointLimits> joint_limits(const Kinematics& robot);
 
 }  // namespace morphe::setup

@@ -23,8 +23,7 @@ struct OldSection {
   std::string name, hash, text;
 };
 
-/// Splits a text into its sections. Text before the first mark is not part of a section and is
-/// generated anew.
+/// Splits a text into its sections, without the text before the first, which is generated anew.
 std::vector<OldSection> sections_of(const std::string& text) {
   std::vector<OldSection> found;
   std::istringstream lines(text);
@@ -54,12 +53,13 @@ std::string merge_sections(const std::vector<Section>& sections, const std::stri
   const std::vector<OldSection> old = sections_of(before);
   std::string text;
   for (const Section& section : sections) {
-    const auto there = std::ranges::find(old, section.name, &OldSection::name);
-    if (there == old.end() || hash_of(there->text) == there->hash) {
+    const auto present = std::ranges::find(old, section.name, &OldSection::name);
+    if (present == old.end() || hash_of(present->text) == present->hash) {
       text += with_hash_line(section);
     } else {
       kept.push_back(section.name);
-      text += fmt::format("{}{} {}\n{}", kHashLinePrefix, there->name, there->hash, there->text);
+      text +=
+          fmt::format("{}{} {}\n{}", kHashLinePrefix, present->name, present->hash, present->text);
     }
   }
   return text;

@@ -34,24 +34,21 @@ bool share_names(const robot::RobotDescription& one, const robot::RobotDescripti
                              [&](const std::string& name) { return names.contains(name); });
 }
 
-/// Returns the mount with the palm on the axis of the flange, z along the axis, and the rearmost
-/// point of the hand on the flange.
+/// Returns flange_from_base of the hand with the palm's axes parallel to the flange's, its origin
+/// on the flange's z axis, and the hand's rear touching the flange.
 Pose default_mount(const robot::RobotDescription& hand) {
   const RobotModel& table = hand.table;
-  const JointVector rest =
-      JointVector::Zero(table.lower.size()).cwiseMax(table.lower).cwiseMin(table.upper);
   std::vector<Pose> poses;
-  robot::forward_kinematics(table, rest, poses);
+  robot::forward_kinematics(table, rest_position(table), poses);
   const Pose palm_from_base = poses[table.palm_frame].inverse();
-  double back = 0;
+  double back_m = 0;
   for (const RobotModel::Capsule& capsule : table.capsules) {
-    const Pose pose =
+    const Pose palm_from_frame =
         capsule.frame < 0 ? palm_from_base : Pose(palm_from_base * poses[capsule.frame]);
-    for (const Vec3& end : {capsule.from, capsule.to}) {
-      back = std::min(back, (pose * end).z() - capsule.radius);
-    }
+    for (const Vec3& end : {capsule.from, capsule.to})
+      back_m = std::min(back_m, (palm_from_frame * end).z() - capsule.radius);
   }
-  return Eigen::Translation3d(0, 0, -back) * palm_from_base;
+  return Eigen::Translation3d(0, 0, -back_m) * palm_from_base;
 }
 
 Pose requested_mount(const MountRequest& request) {
@@ -82,25 +79,16 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
   const std::string named = fmt::format("name: {}\n", yaml_name(name));
 
   const robot::RobotDescription bare = robot::parse_robot(named + parts, request.out);
-  std::string collision;
-  for (const AllowedPair& pair : find_allowed_links(bare.table)) {
-    const auto called = [&](int frame) {
-      return frame < 0 ? std::string("base") : bare.table.frames[frame].name;
-    };
-    if (collision.empty()) collision = "collision:\n  allowed_links:\n";
-    collision +=
-        fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
-                    yaml_name(called(pair.first)), yaml_name(called(pair.second)), 100 * pair.share,
-                    1e3 * pair.rest_penetration_m);
-  }
+  const std::string allowed = allowed_links_yaml(find_allowed_links(bare.table), [&](int frame) {
+    return frame < 0 ? std::string("base") : bare.table.frames[frame].name;
+  });
   std::vector<Section> sections = {{"name", named}, {"parts", parts}};
   // Without a hand, the wrist of the arm is its end; with a hand, it is a joint like the others.
   const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotModel::Frame::name);
-  if (wrist != arm.table.frames.end()) {
+  if (wrist != arm.table.frames.end())
     sections.push_back(
         {"joint_centres", "joint_centres:\n  - {chain: arm, frame: wrist_centre}\n"});
-  }
-  if (!collision.empty()) sections.push_back({"collision", collision});
+  if (!allowed.empty()) sections.push_back({"collision", "collision:\n" + allowed});
   SetupResult result;
   std::vector<std::string> kept;
   result.text =

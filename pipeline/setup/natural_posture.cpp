@@ -11,7 +11,8 @@ struct DrivenJoints {
   std::vector<int> others;
 };
 
-/// Returns the joints that a finger drives itself, by their first frames.
+/// Returns the joints that move a finger, each once. Other joints than bending ones count only at
+/// their own frame, not where they move a coupled one.
 DrivenJoints driven_joints(const Kinematics& robot, const Finger& finger) {
   constexpr double kMinBendingAxisCosine = 0.8;
   DrivenJoints joints;
@@ -33,22 +34,19 @@ DrivenJoints driven_joints(const Kinematics& robot, const Finger& finger) {
 std::vector<robot::NaturalJoint> natural_posture(const Kinematics& robot, const Hand& hand) {
   std::vector<robot::NaturalJoint> natural;
   if (hand.gripper || hand.fingers.size() < 3) return natural;
-  const auto& names = robot.table().joint_names;
-  const auto name = [&](int joint) { return names[joint]; };
+  const auto name = [&](int joint) { return robot.table().joint_names[joint]; };
   const DrivenJoints index = driven_joints(robot, hand.fingers[1]);
-  std::set<int> told;
-  for (const int joint : index.bending) told.insert(joint);
-  for (std::size_t i = 2; i < hand.fingers.size(); ++i) {
+  std::set<int> assigned(index.bending.begin(), index.bending.end());
+  for (int i = 2; i < std::ssize(hand.fingers); ++i) {
     const DrivenJoints own = driven_joints(robot, hand.fingers[i]);
-    for (std::size_t k = 0; k < own.bending.size(); ++k) {
-      if (!told.insert(own.bending[k]).second) continue;
+    for (int k = 0; k < std::ssize(own.bending); ++k) {
+      if (!assigned.insert(own.bending[k]).second) continue;
       robot::NaturalJoint joint{name(own.bending[k]), "", robot.rest[own.bending[k]]};
-      if (k < index.bending.size()) joint = {name(own.bending[k]), name(index.bending[k]), 0};
+      if (k < std::ssize(index.bending)) joint = {name(own.bending[k]), name(index.bending[k]), 0};
       natural.push_back(joint);
     }
-    for (const int joint : own.others) {
-      if (told.insert(joint).second) natural.push_back({name(joint), "", robot.rest[joint]});
-    }
+    for (const int joint : own.others)
+      if (assigned.insert(joint).second) natural.push_back({name(joint), "", robot.rest[joint]});
   }
   return natural;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "core/robot/files/description.hpp"
@@ -8,9 +7,9 @@
 
 namespace morphe::setup {
 
-/// Returns the natural posture of fingers without a goal: they bend as the index does, joint by
-/// joint from the tip on, and do not spread. The bending hinges are those along the axis of the
-/// last one.
+/// Returns the natural posture of fingers without a goal: joints that bend a finger (axes nearly
+/// parallel to the last) follow those of the index, counted from the tip; others stay at rest, so
+/// that fingers do not spread. Empty for a gripper and for less than three fingers.
 std::vector<robot::NaturalJoint> natural_posture(const Kinematics& robot, const Hand& hand);
 
 }  // namespace morphe::setup

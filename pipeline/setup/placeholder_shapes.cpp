@@ -36,14 +36,12 @@ std::vector<std::string> remove_finger_placeholder_shapes(const Kinematics& robo
                                                           LinkShapes& shapes) {
   const RobotModel& table = robot.table();
   std::vector<std::vector<Pose>> postures;
-  for (const JointVector& q : {robot.rest, table.lower, table.upper}) {
+  for (const JointVector& q : {robot.rest, table.lower, table.upper})
     robot::forward_kinematics(table, q, postures.emplace_back());
-  }
   std::vector<std::string> links;
   for (auto& [frame, objects] : shapes.shapes_by_frame) {
-    const auto f = static_cast<std::size_t>(frame);
     if (robot::moving_frame_of(table, frame) != robot::moving_frame_of(table, hand.root)) continue;
-    const auto holds_a_pad = [&](const SceneObject& object) {
+    const auto contains_pad = [&, f = frame](const SceneObject& object) {
       return std::ranges::any_of(postures, [&](const std::vector<Pose>& poses) {
         return std::ranges::any_of(pads, [&](const Pad& pad) {
           const Pose base_from_pad = poses[pad.frame] * pad.frame_from_pad;
@@ -51,7 +49,7 @@ std::vector<std::string> remove_finger_placeholder_shapes(const Kinematics& robo
         });
       });
     };
-    if (std::erase_if(objects, holds_a_pad) > 0) links.push_back(robot.link[f]);
+    if (std::erase_if(objects, contains_pad) > 0) links.push_back(robot.link[frame]);
   }
   return links;
 }

@@ -8,10 +8,9 @@
 
 namespace morphe::setup {
 
-/// Removes placeholder shapes of fingers. Some files give the body of a gripper a shape that
-/// represents the fingers in all positions, so that no grasp would be free of collision. The
-/// function removes the spheres, boxes, cylinders and capsules that contain a pad at some opening.
-/// Returns the links of the removed shapes, each once.
+/// Removes the spheres, boxes, cylinders and capsules of a gripper's body that contain a pad with
+/// all joints at rest, at their lower or their upper limits. Some files represent the fingers in
+/// all positions by such a shape, with which every grasp collides. Returns the links that lost any.
 std::vector<std::string> remove_finger_placeholder_shapes(const Kinematics& robot, const Hand& hand,
                                                           const std::vector<Pad>& pads,
                                                           LinkShapes& shapes);

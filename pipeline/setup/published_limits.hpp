@@ -5,20 +5,15 @@
 
 namespace morphe::setup {
 
-/// The limits of an arm of seven joints as published by its manufacturer or by a driver. A jerk of
-/// 0 and a slope of 0 denote values that are not published.
+/// The limits of an arm of seven joints, as its maker or a driver publishes them; 0 if unpublished.
 struct PublishedArm {
-  /// Part of the name of the robot or of its joints.
-  std::string_view name;
-  /// The publisher of the limits.
-  std::string_view source;
-  /// The limits of each joint [rad/s²], [rad/s³].
-  std::array<double, 7> acceleration, jerk;
-  /// The braking curve of a joint.
+  std::string_view name;    ///< part of the name of the robot or its first joint, in lower case
+  std::string_view source;  ///< publisher of the limits
+  std::array<double, 7> acceleration, jerk;  ///< [rad/s²], [rad/s³]
+  /// The braking curve of a joint (RobotModel::BrakingCurve).
   struct Braking {
-    double slope, drop, lower_end, upper_end;
+    double twice_deceleration, velocity_offset, lower_end, upper_end;
   };
-  /// The braking curve of each joint.
   std::array<Braking, 7> braking;
 };
 

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/human_motion.hpp"
@@ -26,40 +24,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The results of the analysis of a URDF.
 struct UrdfAnalysis {
   const Kinematics& robot;
-  std::vector<int> arm;  ///< moving frames before the one at which the fingers branch
+  std::vector<int> arm;  ///< moving frames from the base to the hand's root or the last one
   std::optional<Hand> hand;
   std::vector<Pad> pads;
   std::optional<Palm> palm;
   std::optional<Flange> flange;
   std::optional<ArmCentres> centres;
   std::vector<LinkCapsules> capsules;
-  /// Links whose placeholder shapes were removed.
-  std::vector<std::string> placeholder_shape_links;
+  std::vector<std::string> placeholder_shape_links;  ///< links that lost placeholder shapes
 
   /// Returns a name for a generated frame that no frame, joint or link of the file has.
-  std::string unique_frame_name(const std::string& wanted) const {
-    std::string name = wanted;
-    const auto taken = [&] {
-      return robot.model->links.contains(name) || robot.model->joint(name) != nullptr;
-    };
-    while (taken()) name += "_of_setup";
+  std::string unique_frame_name(std::string name) const {
+    while (robot.model->links.contains(name) || robot.model->joint(name)) name += "_of_setup";
     return name;
   }
   std::string link(int frame) const { return robot.link[frame]; }
   std::string joint(int frame) const { return robot.frame(frame).name; }
-  /// The joints of a hand's own wrist are not an arm.
+  /// Returns false for one or two joints, which are the wrist of a hand.
   bool has_arm() const { return arm.size() > 2; }
-  std::string finger_name(const Finger& finger) const {
-    return std::string(kFingerNames[finger.finger]);
-  }
+  std::string finger_name(const Finger& finger) const { return kFingerNames[finger.finger]; }
 };
 
 UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, LinkShapes shapes) {
   UrdfAnalysis found{robot, {}, find_hand(robot, request.hand), {}, {}, {}, {}, {}, {}};
-  const int last = static_cast<int>(robot.table().frames.size()) - 1;
   if (found.hand) {
     found.arm = joint_frames_between(robot, -1, found.hand->root);
     found.pads = find_pads(robot, *found.hand, shapes.points);
@@ -70,15 +59,15 @@ UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, 
           remove_finger_placeholder_shapes(robot, *found.hand, found.pads, shapes);
     }
   } else {
-    for (int f = last; f >= 0 && found.arm.empty(); --f) {
-      if (robot.moves(f)) found.arm = joint_frames_between(robot, -1, f);
-    }
-    if (!found.has_arm()) {
+    int last = -1;
+    for (int f = 0; f < std::ssize(robot.table().frames); ++f)
+      if (robot.moves(f)) last = f;
+    found.arm = joint_frames_between(robot, -1, last);
+    if (!found.has_arm())
       throw InputError(
           fmt::format("{}: contains neither a hand (fingers that branch from one link) nor an arm "
                       "(three consecutive joints)",
                       request.urdf.string()));
-    }
     found.flange = find_flange(robot, found.arm);
   }
   if (found.has_arm()) found.centres = arm_centres(robot, found.arm);
@@ -87,8 +76,7 @@ UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, 
   return found;
 }
 
-std::string urdf_section(const UrdfAnalysis& found, const SetupRequest& request,
-                         const std::vector<JointLimits>& limits) {
+std::string urdf_section(const SetupRequest& request, const std::vector<JointLimits>& limits) {
   const fs::path folder = fs::absolute(request.out).parent_path();
   const fs::path file = fs::absolute(request.urdf).lexically_proximate(folder);
   std::string text =
@@ -96,24 +84,21 @@ std::string urdf_section(const UrdfAnalysis& found, const SetupRequest& request,
                   yaml_name(file.string()));
   for (const JointLimits& own : limits) {
     text += fmt::format("    - {{joint: {}, ", yaml_name(own.joint));
-    if (own.lower) {
+    if (own.lower)
       text +=
           fmt::format("lower: {}, upper: {}, ", yaml_number(*own.lower), yaml_number(*own.upper));
-    }
     if (own.velocity) text += fmt::format("velocity: {}, ", yaml_number(*own.velocity));
     text += fmt::format("acceleration: {}, jerk: {}", yaml_number(own.acceleration),
                         yaml_number(own.jerk));
-    if (own.braking) {
+    if (own.braking)
       text += fmt::format(
           ", braking: {{twice_deceleration: {}, velocity_offset: {}, lower_end: {}, upper_end: "
           "{}}}",
           yaml_number(own.braking->twice_deceleration), yaml_number(own.braking->velocity_offset),
           yaml_number(own.braking->lower_end), yaml_number(own.braking->upper_end));
-    }
     text += fmt::format("}}  # {}{}\n", own.source.empty() ? "assumed: 3 v, 50 a" : own.source,
                         own.lower || own.velocity ? "; what the URDF lacks assumed" : "");
   }
-  (void)found;
   return text;
 }
 
@@ -153,17 +138,15 @@ std::string frames_section(const UrdfAnalysis& found) {
     centre("elbow_centre", found.centres->elbow);
     centre("wrist_centre", found.centres->wrist);
   }
-  if (found.flange) {
+  if (found.flange)
     text += frame_line(found.unique_frame_name("flange"), found.link(found.flange->frame),
                        found.flange->frame_from_flange,
                        fmt::format("z outwards; {}", name_of(found.flange->sure)));
-  }
-  if (found.palm) {
+  if (found.palm)
     text += frame_line(
         found.unique_frame_name("palm_frame"), found.link(found.hand->root),
         found.palm->root_from_palm,
         fmt::format("z to the fingers, x out of the palm; {}", name_of(found.palm->sure)));
-  }
   std::string keys;
   if (found.centres)
     keys += fmt::format("shoulder: {}\n", found.unique_frame_name("shoulder_centre"));
@@ -173,11 +156,10 @@ std::string frames_section(const UrdfAnalysis& found) {
 
 std::string tips_section(const UrdfAnalysis& found) {
   std::string text = "tips:  # z along the last bone, x out of the pad, on the pad's surface\n";
-  if (!found.hand) {
+  if (!found.hand)
     return text + fmt::format("  - {{name: wrist, frame: {}, finger: wrist}}\n",
                               found.unique_frame_name("flange"));
-  }
-  for (std::size_t i = 0; i < found.pads.size(); ++i) {
+  for (int i = 0; i < std::ssize(found.pads); ++i) {
     const Pad& pad = found.pads[i];
     const std::string finger = found.finger_name(found.hand->fingers[i]);
     text +=
@@ -239,15 +221,14 @@ std::string capsules_section(const UrdfAnalysis& found, const std::string& allow
                       "the surface (95 %: {:.1f})\n",
                       found.link(link.frame), 100 * f.coverage, 1e3 * f.largest_gap_m,
                       1e3 * f.standoff_median_m, 1e3 * f.standoff_95_m);
-    for (std::size_t k = 0; k < link.capsules.size(); ++k) {
+    for (int k = 0; k < std::ssize(link.capsules); ++k) {
       const RobotModel::Capsule& c = link.capsules[k];
       const std::string name = fmt::format("{}_{}", found.link(link.frame), k + 1);
       text += fmt::format("    - {{name: {}, frame: {}, from: {}, to: {}, radius: {}}}\n",
                           yaml_name(name), yaml_name(found.link(link.frame)), yaml_vector(c.from),
                           yaml_vector(c.to), yaml_number(c.radius));
-      if (found.hand && robot::is_in_subtree(found.robot.table(), link.frame, found.hand->root)) {
+      if (found.hand && robot::is_in_subtree(found.robot.table(), link.frame, found.hand->root))
         touch += fmt::format("{}{}", touch.empty() ? "" : ", ", yaml_name(name));
-      }
     }
   }
   text += allowed;
@@ -255,22 +236,14 @@ std::string capsules_section(const UrdfAnalysis& found, const std::string& allow
   return text;
 }
 
-/// Returns the pairs of frames as pairs of links; the frames of the table have other names.
-std::string pairs_text(const robot::RobotDescription& description,
-                       const std::vector<AllowedPair>& pairs) {
-  if (pairs.empty()) return "";
+/// Returns the key `allowed_links`, with the names of links, which differ from those of frames.
+std::string pairs_text(const robot::RobotDescription& description) {
   std::map<int, std::string> names{{-1, "base"}};
-  for (std::size_t f = 0; f < description.table.frames.size(); ++f) {
-    names[static_cast<int>(f)] = description.table.frames[f].name;
-  }
+  for (int f = 0; f < std::ssize(description.table.frames); ++f)
+    names[f] = description.table.frames[f].name;
   for (const auto& [link, frame] : description.links) names[frame] = link;
-  std::string text = "  allowed_links:\n";
-  for (const AllowedPair& pair : pairs) {
-    text += fmt::format("    - [{}, {}]  # overlap in {:.0f} % of postures, at rest by {:.1f} mm\n",
-                        yaml_name(names[pair.first]), yaml_name(names[pair.second]),
-                        100 * pair.share, 1e3 * pair.rest_penetration_m);
-  }
-  return text;
+  return allowed_links_yaml(find_allowed_links(description.table),
+                            [&](int frame) { return names[frame]; });
 }
 
 void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits>& limits,
@@ -284,11 +257,10 @@ void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits
     }
     check.push_back(
         fmt::format("fingers: {}; a {} hand", fmt::join(fingers, ", "), name_of(found.hand->side)));
-    for (std::size_t i = 0; i < found.pads.size(); ++i) {
-      if (found.pads[i].sure != Provenance::assumed) continue;
-      check.push_back(fmt::format("tip of {}: the end of the finger is unknown",
-                                  found.finger_name(found.hand->fingers[i])));
-    }
+    for (int i = 0; i < std::ssize(found.pads); ++i)
+      if (found.pads[i].sure == Provenance::assumed)
+        check.push_back(fmt::format("tip of {}: the end of the finger is unknown",
+                                    found.finger_name(found.hand->fingers[i])));
   }
   if (found.centres && found.centres->shoulder.sure == Provenance::assumed)
     check.push_back("shoulder: the first joint axes do not intersect");
@@ -299,28 +271,23 @@ void add_items_to_check(const UrdfAnalysis& found, const std::vector<JointLimits
     check.push_back(fmt::format("acceleration and jerk of {} assumed",
                                 count_with_noun(assumed, "joint is", "joints are")));
   std::vector<std::string> beyond;
-  for (const Pad& pad : found.pads) {
+  for (const Pad& pad : found.pads)
     if (pad.tip_beyond_shapes) beyond.push_back(found.link(pad.frame));
-  }
-  if (!beyond.empty()) {
+  if (!beyond.empty())
     check.push_back(fmt::format(
         "shapes of {} end before the fingertips of the URDF: the rest of these fingers is assumed",
         fmt::join(beyond, ", ")));
-  }
-  if (!found.placeholder_shape_links.empty()) {
+  if (!found.placeholder_shape_links.empty())
     check.push_back(fmt::format(
         "shapes of {} that contain the finger pads are skipped: the fingers have their own shapes",
         fmt::join(found.placeholder_shape_links, ", ")));
-  }
   std::vector<std::string> bones;
-  for (const LinkCapsules& link : found.capsules) {
+  for (const LinkCapsules& link : found.capsules)
     if (link.sure == Provenance::assumed) bones.push_back(found.link(link.frame));
-  }
-  if (!bones.empty()) {
+  if (!bones.empty())
     check.push_back(
         fmt::format("shapes of {} are assumed: capsules with the thickness of the link's inertia",
                     fmt::join(bones, ", ")));
-  }
 }
 
 }  // namespace
@@ -338,7 +305,7 @@ SetupResult make_description(const SetupRequest& request,
   const std::string name = request.name.empty() ? model.name : request.name;
   std::vector<Section> sections = {
       {"name", fmt::format("name: {}\n", yaml_name(name))},
-      {"urdf", urdf_section(found, request, limits)},
+      {"urdf", urdf_section(request, limits)},
       {"chains", chains_section(found)},
       {"frames", frames_section(found)},
       {"tips", tips_section(found)},
@@ -351,8 +318,7 @@ SetupResult make_description(const SetupRequest& request,
   for (const Section& section : sections) without_pairs += section.text;
   without_pairs += capsules_section(found, "");
   const robot::RobotDescription bare = robot::parse_robot(without_pairs, request.out);
-  sections.push_back(
-      {"collision", capsules_section(found, pairs_text(bare, find_allowed_links(bare.table)))});
+  sections.push_back({"collision", capsules_section(found, pairs_text(bare))});
   std::vector<std::string> kept;
   result.text = fmt::format(
       "# Made by `morphe robot setup` from {}. What stands below a line that begins with `#:` is\n"
@@ -361,11 +327,9 @@ SetupResult make_description(const SetupRequest& request,
       before ? merge_sections(sections, *before, kept) : join_sections(sections));
   if (!kept.empty())
     result.notes.push_back(fmt::format("kept because edited: {}", fmt::join(kept, ", ")));
-  result.points =
-      shapes.points;  // valid because the frames of the URDF come first in the description
+  result.points = shapes.points;  // the frames of the URDF come first in the description
   add_items_to_check(found, limits, result);
-  (void)robot::parse_robot(
-      result.text, request.out);  // checks that the sections that were kept are still consistent
+  (void)robot::parse_robot(result.text, request.out);  // are kept sections still consistent?
   return result;
 }
 

@@ -14,14 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using robot::UrdfShape;
 
-/// Resolves package://NAME/PATH: in the folder given for NAME, otherwise in the nearest folder
-/// above the URDF that is named NAME, contains NAME, or contains PATH itself. Returns an empty path
-/// if the file is not found.
+/// Returns the file of package://NAME/PATH (see PackagePaths), or an empty path.
 fs::path resolve_package_path(const fs::path& urdf, const std::string& name, const fs::path& path,
                               const PackagePaths& places) {
-  if (const auto given = places.packages.find(name); given != places.packages.end()) {
+  if (const auto given = places.packages.find(name); given != places.packages.end())
     return given->second / path;
-  }
   for (fs::path folder = fs::absolute(urdf).parent_path(); folder != folder.root_path();
        folder = folder.parent_path()) {
     if (folder.filename() == name && fs::exists(folder / path)) return folder / path;
@@ -57,23 +54,22 @@ SceneObject solid(const UrdfShape& shape) {
   return object;
 }
 
-/// Adds points on the surface of shapes other than meshes: corners of boxes, rings of cylinders,
-/// poles of spheres.
+/// Appends points on a box (its corners), a cylinder (both rims) or a sphere (four parallels).
 void add_points(const SceneObject& object, std::vector<Vec3>& points) {
   const Pose pose = make_pose(object.position[0], object.orientation[0]);
   const auto& size = object.size;
   for (int k = 0; k < 64; ++k) {
-    const double turn = 2 * std::numbers::pi * (k % 16) / 16;
-    const Vec3 round(std::cos(turn), std::sin(turn), 0);
+    const double angle = 2 * std::numbers::pi * (k % 16) / 16;
+    const Vec3 rim(std::cos(angle), std::sin(angle), 0);
     Vec3 point = Vec3::Zero();
     if (object.shape == Shape::box) {
       point = 0.5 * Vec3((k & 1 ? 1 : -1) * size[0], (k & 2 ? 1 : -1) * size[1],
                          (k & 4 ? 1 : -1) * size[2]);
     } else if (object.shape == Shape::cylinder) {
-      point = size[0] * round + Vec3(0, 0, (k & 16 ? 0.5 : -0.5) * size[1]);
+      point = size[0] * rim + Vec3(0, 0, (k & 16 ? 0.5 : -0.5) * size[1]);
     } else {
       const double polar = std::numbers::pi * (k / 16 + 1) / 5;
-      point = size[0] * (std::sin(polar) * round + std::cos(polar) * Vec3::UnitZ());
+      point = size[0] * (std::sin(polar) * rim + std::cos(polar) * Vec3::UnitZ());
     }
     points.push_back(pose * point);
   }
@@ -89,15 +85,14 @@ struct Reader {
     if (noted.insert(sentence).second) found.notes.push_back(sentence);
   }
 
-  /// Adds a note for a mesh of 5 m or more, or of 1 mm or less, which was probably not modelled in
-  /// metres.
+  /// Adds a note for a mesh of 5 m or more, or of 1 mm or less: its unit is probably not the metre.
   void note_unusual_size(const fs::path& file, const SceneObject& mesh) {
-    Vec3 least = mesh.vertices.front(), most = least;
+    Vec3 lower = mesh.vertices.front(), upper = lower;
     for (const Vec3& vertex : mesh.vertices) {
-      least = least.cwiseMin(vertex);
-      most = most.cwiseMax(vertex);
+      lower = lower.cwiseMin(vertex);
+      upper = upper.cwiseMax(vertex);
     }
-    const double extent = (most - least).maxCoeff();
+    const double extent = (upper - lower).maxCoeff();
     if (extent < 5 && extent > 0.001) return;
     note(fmt::format("{}: is {:.4g} m long; check its scale", file.string(), extent));
   }
@@ -116,12 +111,10 @@ struct Reader {
       note(problem);
       return false;
     }
-    for (Vec3& vertex : mesh.vertices) {
+    for (Vec3& vertex : mesh.vertices)
       vertex = shape.link_from_shape * Vec3(shape.size.cwiseProduct(vertex));
-    }
-    if (shape.size.prod() < 0) {
+    if (shape.size.prod() < 0)
       for (Eigen::Vector3i& triangle : mesh.triangles) std::swap(triangle[0], triangle[1]);
-    }
     note_unusual_size(file, mesh);
     mesh.position = {Vec3::Zero()};
     mesh.orientation = {Quat::Identity()};
@@ -148,11 +141,11 @@ struct Reader {
 LinkShapes read_shapes(const Kinematics& robot, const PackagePaths& places) {
   Reader reader{robot, places, {}, {}};
   for (const bool visual : {false, true}) {
-    std::set<int> had;
-    for (const auto& [frame, objects] : reader.found.shapes_by_frame) had.insert(frame);
+    std::set<int> shaped;
+    for (const auto& [frame, objects] : reader.found.shapes_by_frame) shaped.insert(frame);
     for (const UrdfShape& shape : robot.model->shapes) {
       const int frame = robot.model->links.at(shape.link);
-      if (shape.visual == visual && !had.contains(frame)) reader.read(shape, frame);
+      if (shape.visual == visual && !shaped.contains(frame)) reader.read(shape, frame);
     }
   }
   return std::move(reader.found);

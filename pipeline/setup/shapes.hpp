@@ -10,26 +10,20 @@
 
 namespace morphe::setup {
 
-/// The folders of meshes. `package://NAME/…` is resolved in the folder given for NAME, otherwise in
-/// the nearest folder above the URDF that contains NAME or the path itself, or is named NAME; a
-/// relative path is resolved beside the URDF.
+/// The folders of packages. `package://NAME/PATH` names PATH in the folder given for NAME,
+/// otherwise PATH or NAME/PATH in the nearest folder above the URDF that contains it. Other
+/// relative paths begin at the folder of the URDF.
 struct PackagePaths {
-  /// The folder of each package.
   std::map<std::string, std::filesystem::path> packages;
 };
 
-/// The shapes of a URDF's links, ready to be covered: collision shapes, or visual ones for links
-/// without collision shapes. Meshes that are missing or cannot be read are named in `notes`, once
-/// each.
+/// The shapes of a URDF's links: collision shapes, or else visual ones.
 struct LinkShapes {
-  /// The shapes of each frame, in that frame; meshes with their vertices.
-  std::map<int, std::vector<SceneObject>> shapes_by_frame;
-  /// The points of the shapes, by frame.
-  BodyPoints points;
-  /// The sentences about missing or unreadable meshes.
-  std::vector<std::string> notes;
+  std::map<int, std::vector<SceneObject>> shapes_by_frame;  ///< in the frame of their key
+  BodyPoints points;                                        ///< of the shapes, by frame
+  std::vector<std::string> notes;  ///< one on each mesh that is missing or cannot be read
 };
-/// Reads the shapes of all links.
+/// Reads the shapes of all links. Shapes that cannot be read are left out with a note.
 LinkShapes read_shapes(const Kinematics& robot, const PackagePaths& places);
 
 }  // namespace morphe::setup

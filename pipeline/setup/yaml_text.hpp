@@ -6,10 +6,11 @@
 
 namespace morphe::setup {
 
-/// Returns a name that YAML reads as the same text: quoted if it could be read as a number or a
-/// keyword of YAML.
+/// Returns a text in lower case letters.
+std::string lower_case(std::string text);
+/// Returns a name as YAML: quoted unless it is a plain identifier and no keyword.
 std::string yaml_name(const std::string& name);
-/// Formats a number with at most six decimals and without -0.
+/// Returns a number with at most six decimals, and 0 for -0.
 std::string yaml_number(double value);
 /// Returns [x, y, z].
 std::string yaml_vector(const Vec3& v);

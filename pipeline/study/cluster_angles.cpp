@@ -17,14 +17,13 @@ ClusterAngles cluster_angles(const Demonstration& demonstration,
       markers, reconstruct::StaticTrial(demonstration.calibration.markers),
       reconstruct::make_time_grid({&markers.time}, options.rate_hz), options};
   HumanMotion ignored_problems;  // reconstruct() reports problems of the clusters
-  const reconstruct::MarkerBody girdle =
-      reconstruct::make_marker_body(trial, "RSHO", true, ignored_problems);
-  const reconstruct::MarkerBody upper_arm =
-      reconstruct::make_marker_body(trial, "RUAR", true, ignored_problems);
-  const reconstruct::MarkerBody forearm =
-      reconstruct::make_marker_body(trial, "RLAR", true, ignored_problems);
-  const Vec3 across = trial.static_trial.at("RLEP", ignored_problems.reconstruction_notes) -
-                      trial.static_trial.at("RMEP", ignored_problems.reconstruction_notes);
+  const auto body = [&](const char* cluster) {
+    return reconstruct::make_marker_body(trial, cluster, true, ignored_problems);
+  };
+  const reconstruct::MarkerBody girdle = body("RSHO"), upper_arm = body("RUAR"),
+                                forearm = body("RLAR");
+  const Vec3 across = trial.static_trial.mean("RLEP", ignored_problems.reconstruction_notes) -
+                      trial.static_trial.mean("RMEP", ignored_problems.reconstruction_notes);
   if (!girdle.in_static || !upper_arm.in_static || !forearm.in_static || !is_known(across))
     return {};
   const Vec3 x = across.normalized(), y = (Vec3::UnitY() - x * x.y()).normalized();
@@ -32,7 +31,7 @@ ClusterAngles cluster_angles(const Demonstration& demonstration,
   elbow_axes << x, y, x.cross(y);
 
   ClusterAngles angles;
-  for (std::size_t i = 0; i < trial.clock.count; ++i) {
+  for (int i = 0; i < trial.clock.count; ++i) {
     const Eigen::Matrix3d upper = upper_arm.world_from_body[i].linear();
     const Eigen::Matrix3d shoulder = girdle.world_from_body[i].linear().transpose() * upper;
     const Eigen::Matrix3d elbow = elbow_axes.transpose() * upper.transpose() *

@@ -7,7 +7,7 @@
 namespace morphe::study {
 
 double correlation(const std::vector<double>& a, const std::vector<double>& b) {
-  const auto n = static_cast<Eigen::Index>(a.size());
+  const Eigen::Index n = std::ssize(a);
   if (n < 2) return kUnknown;
   const Eigen::Map<const Eigen::ArrayXd> x(a.data(), n), y(b.data(), n);
   const Eigen::ArrayXd dx = x - x.mean(), dy = y - y.mean();

@@ -4,7 +4,8 @@
 
 namespace morphe::study {
 
-/// Computes Pearson's correlation of two series of the same length, NaN for fewer than two values.
+/// Returns Pearson's correlation of two series of the same length; NaN for fewer than two values
+/// and for a constant series.
 double correlation(const std::vector<double>& a, const std::vector<double>& b);
 
 }  // namespace morphe::study

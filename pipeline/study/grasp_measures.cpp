@@ -16,17 +16,15 @@ double angle_between_vectors(const Vec3& a, const Vec3& b) {
 }
 
 /// Measures the finger of a tip at the point of the target nearest to its pad.
-RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& plan,
-                           std::size_t tip) {
+RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& plan, int tip) {
   const robot::Robot& robot = *world.robot;
-  const auto sample = static_cast<std::size_t>(plan.grasp.sample);
-  const double time_s = plan.trajectory.demonstration_time[sample];
+  const double time_s = plan.trajectory.demonstration_time[plan.grasp.sample];
   const JointVector q = plan.trajectory.position.row(plan.grasp.sample).transpose();
   RobotFinger finger;
   if (robot.pads[tip].capsule >= 0) {
-    grasp::DesiredContact touch;
-    touch.tip = tip;
-    const PadContact contact = grasp::measure_contacts(world, {touch}, q, time_s).front();
+    grasp::DesiredContact desired;
+    desired.tip = tip;
+    const PadContact contact = grasp::measure_contacts(world, {desired}, q, time_s).front();
     finger.contact_point = contact.point;
     finger.gap = contact.signed_distance;
     finger.pad_angle = contact.pad_angle;
@@ -36,11 +34,10 @@ RobotFinger measure_finger(const collision::CollisionWorld& world, const Plan& p
   const Pose object_from_base = plan.grasp.base_from_object.inverse();
   finger.tip = object_from_base * robot::tracked_point(robot, frames, tip, 0);
   finger.pad = object_from_base * robot::tracked_point(robot, frames, tip, 1);
-  const auto centre = std::ranges::find(robot.tip_of_centre, static_cast<int>(tip));
-  if (centre != robot.tip_of_centre.end()) {
-    const auto k = static_cast<std::size_t>(centre - robot.tip_of_centre.begin());
-    finger.middle_joint = object_from_base * frames[robot.joint_centres[k].frame].translation();
-  }
+  const auto centre = std::ranges::find(robot.tip_of_centre, tip);
+  if (centre == robot.tip_of_centre.end()) return finger;
+  const RobotModel::JointCentre& joint = robot.joint_centres[centre - robot.tip_of_centre.begin()];
+  finger.middle_joint = object_from_base * frames[joint.frame].translation();
   return finger;
 }
 
@@ -63,30 +60,27 @@ Penetration deepest_penetration(const collision::CollisionWorld& world,
   Penetration deepest;
   if (world.target < 0) return deepest;
   const robot::Robot& robot = *world.robot;
-  const auto target = static_cast<std::size_t>(world.target);
   collision::CollisionScratch scratch;
-  for (std::size_t i = 0; i < trajectory.samples(); ++i) {
+  for (Eigen::Index i = 0; i < trajectory.position.rows(); ++i) {
     const JointVector q = trajectory.position.row(i).transpose();
     collision::update_bodies(world, q, trajectory.demonstration_time[i], scratch);
-    for (std::size_t c = 0; c < robot.capsules.size(); ++c) {
-      const double depth =
-          -collision::capsule_solid(scratch.bodies[c], collision::solid_at(world, target),
-                                    scratch.object_poses[target])
+    for (int c = 0; c < std::ssize(robot.capsules); ++c) {
+      const double depth_m =
+          -collision::capsule_solid(scratch.bodies[c], collision::solid_at(world, world.target),
+                                    scratch.object_poses[world.target])
                .distance;
-      double& most =
-          robot::is_pad(robot, static_cast<int>(c)) ? deepest.pads_m : deepest.other_links_m;
-      most = std::max(most, depth);
+      double& deepest_m = robot::is_pad(robot, c) ? deepest.pads_m : deepest.other_links_m;
+      deepest_m = std::max(deepest_m, depth_m);
     }
   }
   return deepest;
 }
 
-std::optional<std::size_t> tip_of_finger(const RobotModel& robot, std::size_t finger) {
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    const RobotModel::Tip& one = robot.tips[tip];
-    const bool itself = std::isnan(one.finger_curve_share) || one.finger_curve_share == 0 ||
-                        one.finger_curve_share == 1;
-    if (one.finger == static_cast<int>(finger) && itself) return tip;
+std::optional<int> tip_of_finger(const RobotModel& robot, int finger) {
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
+    const double share = robot.tips[tip].finger_curve_share;
+    const bool at_finger = std::isnan(share) || share == 0 || share == 1;
+    if (robot.tips[tip].finger == finger && at_finger) return tip;
   }
   return std::nullopt;
 }
@@ -111,20 +105,21 @@ GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
   }
   if (plan.grasp.sample < 0) return score;
   for (const KnownContact& contact : known) {
-    const std::optional<std::size_t> tip = tip_of_finger(robot, contact.finger);
+    const std::optional<int> tip = tip_of_finger(robot, contact.finger);
     if (tip) score.errors.push_back(contact_error(contact, measure_finger(world, plan, *tip)));
   }
   return score;
 }
 
-std::size_t count_demonstrated_contacts(const robot::Robot& robot, const Plan& by_tips,
-                                        const grasp::GraspOptions& options) {
-  const SceneObject* target = find_object(by_tips.scene.objects, by_tips.movement.target);
+int count_demonstrated_contacts(const robot::Robot& robot, const Plan& fingertip_plan,
+                                const grasp::GraspOptions& options) {
+  const Movement& movement = fingertip_plan.movement;
+  const SceneObject* target = find_object(fingertip_plan.scene.objects, movement.target);
   if (!target) return 0;
   const auto mesh = collision::mesh_solid_of(*target, {});
-  return grasp::demonstrated_contacts(robot, by_tips.goals, by_tips.movement, {*target, mesh.get()},
-                                      options)
-      .size();
+  return static_cast<int>(grasp::demonstrated_contacts(robot, fingertip_plan.goals, movement,
+                                                       {*target, mesh.get()}, options)
+                              .size());
 }
 
 }  // namespace morphe::study

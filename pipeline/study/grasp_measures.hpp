@@ -13,28 +13,18 @@ namespace morphe::study {
 
 /// A finger of the robot at the object, in the object's frame.
 struct RobotFinger {
-  /// Point of the surface nearest to its pad [m].
-  Vec3 contact_point = unknown_point();
-  /// Fingertip [m].
-  Vec3 tip = unknown_point();
-  /// Centre of the ball of its pad [m].
-  Vec3 pad = unknown_point();
-  /// Centre of its middle joint, as used by metric A [m].
-  Vec3 middle_joint = unknown_point();
-  /// Signed distance between pad and surface, negative if the pad penetrates [m].
-  double gap = kUnknown;
-  /// Angle between the direction of the pad's centre and the inward normal [rad].
-  double pad_angle = kUnknown;
+  Vec3 contact_point = unknown_point();  ///< point of the surface nearest to its pad [m]
+  Vec3 tip = unknown_point();            ///< fingertip [m]
+  Vec3 pad = unknown_point();            ///< centre of the ball of its pad [m]
+  Vec3 middle_joint = unknown_point();   ///< centre of its middle joint, as used by metric A [m]
+  double gap = kUnknown;                 ///< distance between pad and surface, negative inside [m]
+  double pad_angle = kUnknown;  ///< between the pad's direction and the inward normal [rad]
 };
 
 /// The errors of one robot finger with respect to a known contact.
 struct ContactError {
-  /// |touched - point|, both on the surface [m].
-  double distance = kUnknown;
-  /// Angle of the pad [rad].
-  double pad_angle = kUnknown;
-  /// Signed distance of the pad [m].
-  double gap = kUnknown;
+  double distance = kUnknown;  ///< |contact_point - point|, both on the surface [m]
+  double pad_angle = kUnknown, gap = kUnknown;  ///< as in RobotFinger
   /// The precision of TopoRetarget (arXiv:2606.16272, A.3): |(h_r - o) - (h_s - o)| [m], with the
   /// same point o of the object for both, the person's fingertip h_s, and h_r the robot's fingertip
   /// or the centre of its pad, which replaces the tip if a contact is the goal.
@@ -46,43 +36,36 @@ struct ContactError {
 /// Computes the errors of a finger with respect to a known contact.
 ContactError contact_error(const KnownContact& known, const RobotFinger& finger);
 
-/// The largest penetration of links into the target over all samples, 0 if there is none [m].
+/// The largest penetration into the target of any pad, and of any other link; 0 without contact.
 struct Penetration {
-  /// The penetration by the finger pads and by all other links [m].
   double pads_m = 0, other_links_m = 0;
 };
-/// Computes the largest penetration over a trajectory.
+/// Returns the largest penetration in the samples of a trajectory, to which the target is attached
+/// in `world`; 0 without a target.
 Penetration deepest_penetration(const collision::CollisionWorld& world,
                                 const Trajectory& trajectory);
 
-/// Returns the robot tip that follows a person's finger itself, empty if it follows a point between
-/// fingers.
-std::optional<std::size_t> tip_of_finger(const RobotModel& robot, std::size_t finger);
+/// Returns the robot tip that follows a person's finger, empty if there is no such tip. A tip that
+/// follows a point between two fingers does not count.
+std::optional<int> tip_of_finger(const RobotModel& robot, int finger);
 
 /// The measures of one plan of a movement that the study uses.
 struct GraspScore {
-  /// True if the plan has a trajectory, and if it is executable.
   bool has_trajectory = false, executable = false;
-  /// Metric A of the trajectory [m²].
-  double humanlikeness = kUnknown;
-  /// Duration of the trajectory [s].
+  double humanlikeness = kUnknown;  ///< metric A of the trajectory [m²]
   double duration_s = kUnknown;
-  /// One element for each known contact.
-  std::vector<ContactError> errors;
-  /// Penetration over the trajectory.
+  std::vector<ContactError> errors;  ///< of the known contacts whose finger a tip follows
   Penetration penetration;
-  /// Number of contacts in the plan's table, and of those that touch.
-  std::size_t demonstrated = 0, touching = 0;
-  /// The same numbers for fingers that were closed.
-  std::size_t closed = 0, closed_touching = 0;
+  int demonstrated = 0, touching = 0;   ///< demonstrated contacts in the plan, and touching ones
+  int closed = 0, closed_touching = 0;  ///< the same of contacts made by closing a finger
 };
-/// Computes the measures of a plan.
+/// Computes the measures of a plan; without a trajectory, there are only the first two.
 GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
                        const std::vector<KnownContact>& known);
 
-/// Counts the contacts that the demonstration of a movement requires, by means of the plan without
-/// contacts, whose goals are the person's own fingertips.
-std::size_t count_demonstrated_contacts(const robot::Robot& robot, const Plan& by_tips,
-                                        const grasp::GraspOptions& options);
+/// Counts the contacts that a movement demonstrates; 0 without a target. `fingertip_plan` was made
+/// without contacts, so that its goals are the person's fingertips.
+int count_demonstrated_contacts(const robot::Robot& robot, const Plan& fingertip_plan,
+                                const grasp::GraspOptions& options);
 
 }  // namespace morphe::study

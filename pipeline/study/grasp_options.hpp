@@ -10,20 +10,13 @@ namespace morphe::study {
 
 /// A set of recordings and the hands that grasp the objects in them.
 struct GraspSet {
-  /// The name of the set.
   std::string name;
-  /// One config for each hand.
-  std::vector<std::string> pipelines;
-  /// Manifest of real recordings, which come first.
-  std::string manifest;
-  /// Config of pipeline/synthesize for synthetic recordings.
-  std::string synthetic;
-  /// True if an object is put into the hand of each synthetic recording
-  /// (pipeline/study/held_objects.hpp).
-  bool known_objects = false;
+  std::vector<std::string> pipelines;  ///< one config for each hand
+  std::string manifest;                ///< manifest of real recordings, which come first
+  std::string synthetic;               ///< config of pipeline/synthesize
+  bool known_objects = false;  ///< puts an object into each synthetic hand (held_objects.hpp)
   /// Number of synthetic recordings; recordings of the manifest are limited only with --quick.
   int count = 50, quick_count = 1;
-  /// The seed of the synthetic recordings.
   std::uint64_t seed = 1;
 };
 /// Maps the keys of the config to the fields.
@@ -41,20 +34,14 @@ void fields(Fields& f, GraspSet& o) {
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const GraspSet& set);
 
-/// The options of configs/studies/grasp.yaml. Each recording is planned twice, with contacts as
-/// goals and with plain fingertip goals; the contacts of the robot are compared with those of the
-/// person.
+/// The options of configs/studies/grasp.yaml. Each recording is planned twice, with contacts and
+/// with fingertips as goals; the contacts of the robot are compared with those of the person.
 struct GraspStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// The sets of recordings.
   std::vector<GraspSet> sets;
-  /// Variant with contacts, which must have a section `grasp`.
-  StudyVariant contacts;
-  /// Baseline without a section `grasp`.
-  StudyVariant fingertips;
-  /// Number of hands of a set in the quick variant, taken from the first.
-  int quick_hands = 1;
+  StudyVariant contacts;    ///< variant with contacts, which must have a section `grasp`
+  StudyVariant fingertips;  ///< baseline without a section `grasp`
+  int quick_hands = 1;      ///< number of hands of a set in the quick variant, taken from the first
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

@@ -13,14 +13,12 @@ namespace {
 constexpr double kMaxContactError_mm = 5, kMaxPadAngle_deg = 12, kMaxPadPenetration_mm = 1;
 constexpr double kMaxHumanlikenessRatio = 1.1, kMaxDurationRatio = 1.1;
 
-/// Adds the median and the 90th percentile; `at_most` is the limit of the median.
-void add_median_rows(const Case& of, const std::string& metric, const char* unit,
+/// Adds the median and the 90th percentile; `at_most` is the requirement for the median.
+void add_median_rows(const Case& condition, const std::string& metric, const char* unit,
                      const std::vector<double>& values, double at_most, StudyResult& result) {
-  result.rows.push_back(
-      make_row(of, metric + ", median", unit, math::quantile(values, 0.5), values.size()));
-  result.rows.back().at_most = at_most;
-  result.rows.push_back(
-      make_row(of, metric + ", 90 %", unit, math::quantile(values, 0.9), values.size()));
+  result.add(condition, metric + ", median", unit, math::quantile(values, 0.5), values.size())
+      .at_most = at_most;
+  result.add(condition, metric + ", 90 %", unit, math::quantile(values, 0.9), values.size());
 }
 
 struct Column {
@@ -41,76 +39,73 @@ constexpr Column kColumns[] = {
     {"alignment (TopoRetarget)", "deg", 1 / kRadPerDegree, &ContactError::alignment, kUnknown,
      true}};
 
-void add_variant_rows(const Case& of, const std::vector<GraspComparison>& pairs,
+void add_variant_rows(const Case& condition, const std::vector<GraspComparison>& pairs,
                       GraspScore GraspComparison::*variant, bool ours, StudyResult& result) {
-  std::size_t executable = 0, by_fingertips = 0, run = 0;
+  int executable = 0, fingertips_executable = 0, with_trajectory = 0;
   double pads_m = 0, links_m = 0;
-  std::vector<double> values[std::size(kColumns)];
   for (const GraspComparison& pair : pairs) {
     const GraspScore& score = pair.*variant;
     executable += score.executable ? 1 : 0;
-    by_fingertips += pair.fingertips.executable ? 1 : 0;
-    run += score.has_trajectory ? 1 : 0;
+    fingertips_executable += pair.fingertips.executable ? 1 : 0;
+    with_trajectory += score.has_trajectory ? 1 : 0;
     pads_m = std::max(pads_m, score.penetration.pads_m);
     links_m = std::max(links_m, score.penetration.other_links_m);
-    for (const ContactError& error : score.errors) {
-      for (std::size_t c = 0; c < std::size(kColumns); ++c) {
-        const double value = kColumns[c].scale * error.*kColumns[c].value;
-        if (std::isfinite(value)) values[c].push_back(value);
+  }
+  const double all = static_cast<double>(pairs.size());
+  const auto row = [&](auto... values) -> StudyRow& { return result.add(condition, values...); };
+  row("executable", "1", executable / all, pairs.size()).at_least =
+      ours ? fingertips_executable / all : kUnknown;
+  row("penetration of pads, largest", "mm", 1e3 * pads_m, with_trajectory).at_most =
+      ours ? kMaxPadPenetration_mm : kUnknown;
+  row("penetration of other links, largest", "mm", 1e3 * links_m, with_trajectory).at_most =
+      ours ? 0 : kUnknown;
+  for (const Column& column : kColumns) {
+    std::vector<double> values;
+    for (const GraspComparison& pair : pairs) {
+      for (const ContactError& error : (pair.*variant).errors) {
+        const double value = column.scale * error.*column.value;
+        if (std::isfinite(value)) values.push_back(value);
       }
     }
-  }
-  const auto row = [&](const std::string& metric, const char* unit, double value,
-                       std::size_t n) -> StudyRow& {
-    result.rows.push_back(make_row(of, metric, unit, value, n));
-    return result.rows.back();
-  };
-  const double all = static_cast<double>(pairs.size());
-  StudyRow& share = row("executable", "1", static_cast<double>(executable) / all, pairs.size());
-  if (ours) share.at_least = static_cast<double>(by_fingertips) / all;
-  StudyRow& pads = row("penetration of pads, largest", "mm", 1e3 * pads_m, run);
-  if (ours) pads.at_most = kMaxPadPenetration_mm;
-  StudyRow& links = row("penetration of other links, largest", "mm", 1e3 * links_m, run);
-  if (ours) links.at_most = 0;
-  for (std::size_t c = 0; c < std::size(kColumns); ++c) {
-    if (values[c].empty()) continue;  // the set has no known contact
-    add_median_rows(of, kColumns[c].metric, kColumns[c].unit, values[c],
-                    ours ? kColumns[c].at_most : kUnknown, result);
-    if (!kColumns[c].is_topo_retarget) continue;  // only means are published
-    row(fmt::format("{}, mean", kColumns[c].metric), kColumns[c].unit, math::mean(values[c]),
-        values[c].size());
+    if (values.empty()) continue;  // the set has no known contact
+    add_median_rows(condition, column.metric, column.unit, values, ours ? column.at_most : kUnknown,
+                    result);
+    if (!column.is_topo_retarget) continue;  // only means are published
+    result.add(condition, fmt::format("{}, mean", column.metric), column.unit, math::mean(values),
+               values.size());
   }
 }
 
-void add_contact_rows(const Case& of, const std::vector<GraspComparison>& pairs,
+void add_contact_rows(const Case& condition, const std::vector<GraspComparison>& pairs,
                       StudyResult& result) {
-  std::size_t run = 0, without = 0, known = 0, asked = 0, kept = 0, touched = 0, closed = 0,
-              closed_touch = 0;
+  int plans = 0, without_contact = 0, demonstrated = 0, kept = 0, touching = 0, closed = 0,
+      closed_touching = 0;
+  std::ptrdiff_t known = 0;
   for (const GraspComparison& pair : pairs) {
     const GraspScore& score = pair.contacts;
     if (!score.has_trajectory) continue;
-    ++run;
-    without += score.demonstrated + score.closed == 0 ? 1 : 0;
-    known += score.errors.size();
-    asked += pair.demonstrated_contacts;
+    ++plans;
+    without_contact += score.demonstrated + score.closed == 0 ? 1 : 0;
+    known += std::ssize(score.errors);
+    demonstrated += pair.demonstrated_contacts;
     kept += std::min(score.demonstrated, pair.demonstrated_contacts);
-    touched += score.touching;
+    touching += score.touching;
     closed += score.closed;
-    closed_touch += score.closed_touching;
+    closed_touching += score.closed_touching;
   }
-  const auto row = [&](const char* metric, std::size_t value) {
-    result.rows.push_back(make_row(of, metric, "1", static_cast<double>(value), run));
+  const auto row = [&](const char* metric, std::ptrdiff_t value) {
+    result.add(condition, metric, "1", static_cast<double>(value), plans);
   };
   row("known contacts", known);
-  row("contacts demonstrated", asked);
-  row("contacts dropped", asked - kept);
-  row("contacts touching", touched);
+  row("contacts demonstrated", demonstrated);
+  row("contacts dropped", demonstrated - kept);
+  row("contacts touching", touching);
   row("closed fingers", closed);
-  row("closed fingers touching", closed_touch);
-  row("plans without contact", without);
+  row("closed fingers touching", closed_touching);
+  row("plans without contact", without_contact);
 }
 
-void add_ratio_rows(const Case& of, const std::vector<GraspComparison>& pairs,
+void add_ratio_rows(const Case& condition, const std::vector<GraspComparison>& pairs,
                     StudyResult& result) {
   std::vector<double> humanlikeness, duration;
   for (const GraspComparison& pair : pairs) {
@@ -119,18 +114,16 @@ void add_ratio_rows(const Case& of, const std::vector<GraspComparison>& pairs,
     duration.push_back(pair.contacts.duration_s / pair.fingertips.duration_s);
   }
   if (humanlikeness.empty()) return;
-  add_median_rows(of, "A, ratio", "1", humanlikeness, kMaxHumanlikenessRatio, result);
-  add_median_rows(of, "duration, ratio", "1", duration, kMaxDurationRatio, result);
+  add_median_rows(condition, "A, ratio", "1", humanlikeness, kMaxHumanlikenessRatio, result);
+  add_median_rows(condition, "duration, ratio", "1", duration, kMaxDurationRatio, result);
 }
 
 }  // namespace
 
-void add_grasp_rows(const GraspStudyOptions& options, const Case& of,
+void add_grasp_rows(const GraspStudyOptions& options, const Case& condition,
                     const std::vector<GraspComparison>& pairs, StudyResult& result) {
   const auto variant = [&](const std::string& name) {
-    Case own = of;
-    own.emplace_back("variant", name);
-    return own;
+    return case_with(condition, "variant", name);
   };
   const std::string &contacts = options.contacts.name, &fingertips = options.fingertips.name;
   add_variant_rows(variant(contacts), pairs, &GraspComparison::contacts, true, result);

@@ -20,47 +20,37 @@ namespace {
 
 constexpr Shape kShapes[] = {Shape::sphere, Shape::cylinder, Shape::box};
 
-/// A recording of a set with its known contacts.
 struct RecordedGrasp {
   Demonstration demonstration;
   std::vector<KnownContact> contacts;  ///< contacts of its synthetic object, if it has one
 };
 
-/// A recording planned in both variants.
 struct PlannedRecording {
   std::string name;
   std::vector<GraspComparison> pairs;
   std::vector<Plan> contacts, fingertips;
 };
 
-synthesize::SynthesizeOptions synthetic_options(const std::filesystem::path& file) {
+/// Adds synthetic recordings; with known objects, only those in whose hand an object fits.
+void add_synthetic_grasps(const GraspSet& set, const std::filesystem::path& folder, int count,
+                          double pad_depth_m, std::vector<RecordedGrasp>& all) {
+  constexpr int kMaxRecordingsPerGrasp = 10;  // tried for each that is required
   synthesize::SynthesizeOptions options;
-  const config::ConfigNode node = config::ConfigNode::load(file);
+  const config::ConfigNode node = config::ConfigNode::load(folder / set.synthetic);
   config::read_document(node, options);
-  return options;
-}
-
-/// Adds synthetic recordings in order of their number; with known objects, only those in whose hand
-/// an object fits.
-void add_synthetic_grasps(const GraspSet& set, const std::filesystem::path& folder,
-                          std::size_t count, double pad_depth_m, std::vector<RecordedGrasp>& all) {
-  /// Recordings tried for each that is required.
-  constexpr std::size_t kMaxRecordingsPerGrasp = 10;
-  const synthesize::SynthesizeOptions options = synthetic_options(folder / set.synthetic);
-  for (std::size_t index = 0, found = 0; found < count && index < kMaxRecordingsPerGrasp * count;
-       ++index) {
-    synthesize::SyntheticRecording made = synthesize::synthesize(options, set.seed, index);
+  for (int index = 0, made = 0; made < count && index < kMaxRecordingsPerGrasp * count; ++index) {
+    synthesize::SyntheticRecording synthetic = synthesize::synthesize(options, set.seed, index);
     if (!set.known_objects) {
-      all.push_back({std::move(made.recorded), {}});
-      ++found;
+      all.push_back({std::move(synthetic.recorded), {}});
+      ++made;
       continue;
     }
     math::RandomStream random(math::seed_from(set.seed, "held object", index), set.name);
     std::optional<KnownGrasp> known =
-        add_held_object(made, kShapes[found % std::size(kShapes)], pad_depth_m, random);
+        add_held_object(synthetic, kShapes[made % std::ssize(kShapes)], pad_depth_m, random);
     if (!known) continue;
     all.push_back({std::move(known->recorded), std::move(known->contacts)});
-    ++found;
+    ++made;
   }
 }
 
@@ -72,32 +62,29 @@ std::vector<RecordedGrasp> load_recordings(const GraspSet& set, const StudyRun& 
     imports::ImportRequest request;
     request.paths = {folder / set.manifest};
     imports::import_recordings(request, [&](Demonstration&& demonstration) {
-      if (run.quick && all.size() >= static_cast<std::size_t>(set.quick_count)) return;
+      if (run.quick && std::ssize(all) >= set.quick_count) return;
       all.push_back({std::move(demonstration), {}});
     });
   }
-  if (!set.synthetic.empty()) {
+  if (!set.synthetic.empty())
     add_synthetic_grasps(set, folder, run.quick ? set.quick_count : set.count, pad_depth_m, all);
-  }
   return all;
 }
 
-/// Returns the known contacts of a movement: those of its synthetic object or of its recorded
-/// object; empty for an inferred object.
+/// Returns the contacts of a movement with its synthetic or recorded object; empty if the object
+/// was inferred.
 std::vector<KnownContact> known_contacts_of(const RecordedGrasp& recording,
-                                            const planning::Reconstruction& rebuilt,
+                                            const planning::Reconstruction& reconstruction,
                                             const Movement& movement,
                                             const grasp::GraspOptions& options) {
-  const SceneObject* target = find_object(rebuilt.on_robot_side.objects, movement.target);
+  const SceneObject* target = find_object(reconstruction.on_robot_side.objects, movement.target);
   if (!target) return {};
-  if (!recording.contacts.empty()) {
+  if (!recording.contacts.empty())
     return target->name == kHeldObjectName ? recording.contacts : std::vector<KnownContact>{};
-  }
-  const double at_s = grasp_instant_s(movement.phases);
-  const HumanMotion& motion = rebuilt.motion;
-  const auto frame =
-      static_cast<std::size_t>(std::ranges::lower_bound(motion.time, at_s) - motion.time.begin());
-  if (!(at_s >= movement.begin_s) || frame >= motion.time.size()) return {};
+  const double grasp_s = grasp_instant_s(movement.phases);
+  const HumanMotion& motion = reconstruction.motion;
+  const std::ptrdiff_t frame = std::ranges::lower_bound(motion.time, grasp_s) - motion.time.begin();
+  if (!(grasp_s >= movement.begin_s) || frame >= std::ssize(motion.time)) return {};
   ObservedHand hand;
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     hand.tip[finger] = motion.tip(frame, finger);
@@ -125,21 +112,19 @@ HandVariants load_hand(const GraspStudyOptions& options, const std::filesystem::
 
 PlannedRecording plan_both_variants(const HandVariants& hand, const RecordedGrasp& recording) {
   const robot::Robot& robot = hand.contacts.robot;
-  const planning::PlanningInputs with{hand.contacts.options, robot},
-      without{hand.fingertips.options, robot};
+  const planning::PlanningInputs with_contacts{hand.contacts.options, robot},
+      with_fingertips{hand.fingertips.options, robot};
   PlannedRecording planned{recording.demonstration.name, {}, {}, {}};
-  planned.contacts = planning::plan_demonstration(with, recording.demonstration).plans;
-  planned.fingertips = planning::plan_demonstration(without, recording.demonstration).plans;
-  planning::StageSeconds seconds;
-  const planning::Reconstruction rebuilt =
-      planning::reconstruct_demonstration(without, recording.demonstration, seconds);
-  if (planned.contacts.size() != planned.fingertips.size()) {
+  planned.contacts = planning::plan_demonstration(with_contacts, recording.demonstration).plans;
+  planned.fingertips = planning::plan_demonstration(with_fingertips, recording.demonstration).plans;
+  const planning::Reconstruction reconstruction =
+      planning::reconstruct_demonstration(with_fingertips, recording.demonstration);
+  if (planned.contacts.size() != planned.fingertips.size())
     throw InputError(planned.name + ": the variants do not find the same movements");
-  }
-  for (std::size_t k = 0; k < planned.contacts.size(); ++k) {
+  for (int k = 0; k < std::ssize(planned.contacts); ++k) {
     const Plan &contacts = planned.contacts[k], &fingertips = planned.fingertips[k];
     const std::vector<KnownContact> known =
-        known_contacts_of(recording, rebuilt, contacts.movement, hand.options());
+        known_contacts_of(recording, reconstruction, contacts.movement, hand.options());
     GraspComparison& pair = planned.pairs.emplace_back();
     pair.contacts = score_grasp(robot, contacts, known);
     pair.fingertips = score_grasp(robot, fingertips, known);
@@ -157,9 +142,10 @@ std::unique_ptr<store::PlanWriter> writer_of(const StudyRun& run, const GraspSet
   const std::filesystem::path plans = run.folder / "plans";
   std::filesystem::create_directories(plans);
   const std::string name = fmt::format("{}-{}-{}", set.name, config.robot.name, variant.name);
-  const std::string of = fmt::format("{}/{}/{}", set.name, set.seed, set.synthetic + set.manifest);
+  const std::string dataset =
+      fmt::format("{}/{}/{}", set.name, set.seed, set.synthetic + set.manifest);
   return std::make_unique<store::PlanWriter>(
-      plans / (name + ".h5"), planning::header_of(config, files::sha256(of)), config.robot);
+      plans / (name + ".h5"), planning::header_of(config, files::sha256(dataset)), config.robot);
 }
 
 std::vector<GraspComparison> plan_set(const GraspStudyOptions& options, const GraspSet& set,
@@ -173,7 +159,7 @@ std::vector<GraspComparison> plan_set(const GraspStudyOptions& options, const Gr
       static_cast<int>(recordings.size()), run.jobs,
       [&](std::uint64_t index) { return plan_both_variants(hand, recordings[index]); },
       [&](const PlannedRecording& planned) {
-        for (std::size_t k = 0; k < planned.pairs.size(); ++k) {
+        for (int k = 0; k < std::ssize(planned.pairs); ++k) {
           const GraspComparison& pair = planned.pairs[k];
           if (contacts) contacts->add(planned.contacts[k]);
           if (fingertips) fingertips->add(planned.fingertips[k]);
@@ -202,13 +188,11 @@ std::string validation_error(const GraspSet& set) {
 
 std::string validation_error(const GraspStudyOptions& options) {
   if (options.sets.empty()) return "sets is empty";
-  if (options.contacts.name == options.fingertips.name) {
+  if (options.contacts.name == options.fingertips.name)
     return "contacts and fingertips have the same name";
-  }
   for (const GraspSet& set : options.sets) {
-    if (std::ranges::count(options.sets, set.name, &GraspSet::name) > 1) {
+    if (std::ranges::count(options.sets, set.name, &GraspSet::name) > 1)
       return fmt::format("two sets have the name '{}'", set.name);
-    }
   }
   if (options.quick_hands < 1) return "quick_hands must be at least 1";
   return "";
@@ -220,19 +204,18 @@ StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run) {
   const std::filesystem::path folder = run.config.parent_path();
   StudyResult result;
   for (GraspSet& set : options.sets) {
-    if (run.quick && set.pipelines.size() > static_cast<std::size_t>(options.quick_hands)) {
+    if (run.quick && std::ssize(set.pipelines) > options.quick_hands)
       set.pipelines.resize(options.quick_hands);
-    }
     std::vector<RecordedGrasp> recordings;
     for (const std::string& pipeline : set.pipelines) {
       const HandVariants hand = load_hand(options, folder / pipeline);
       if (recordings.empty()) recordings = load_recordings(set, run, hand.options().pad_depth_m);
       const std::vector<GraspComparison> pairs = plan_set(options, set, hand, recordings, run);
-      StudyResult of_hand;  // reports intermediate results, because the study takes hours
+      StudyResult hand_result;  // reports intermediate results, because the study takes hours
       add_grasp_rows(options, {{"set", set.name}, {"hand", hand.contacts.robot.name}}, pairs,
-                     of_hand);
-      run.progress(results_table(of_hand));
-      std::ranges::move(of_hand.rows, std::back_inserter(result.rows));
+                     hand_result);
+      run.progress(results_table(hand_result));
+      std::ranges::move(hand_result.rows, std::back_inserter(result.rows));
     }
   }
   return result;

@@ -23,10 +23,9 @@ namespace morphe::study {
 ///             fingers, t = 0.03 m and w = 400, while both are closed with the thumb and
 ///             ‖h‖ <= 0.03.
 /// Both add 4e-3 ‖q - q_last‖². The published implementation has this term only in its gradient, so
-/// that its line search minimises another function; here the term is in both. The published
-/// implementation filters its output, which causes a lag of several frames; this one does not
-/// filter. Both stop at a relative change of 1e-6, whereas the published one stops at an absolute
-/// change of 1e-6.
+/// that its line search minimises another function; here the term is in both. It also filters its
+/// output, which causes a lag of several frames, and stops at an absolute change of 1e-6; here
+/// there is no filter, and the change is relative.
 enum class BaselineMethod { vector, dexpilot };
 /// Returns the names of the methods.
 constexpr std::array<std::string_view, 2> names_of(BaselineMethod) {
@@ -35,30 +34,27 @@ constexpr std::array<std::string_view, 2> names_of(BaselineMethod) {
 
 /// The hand and the parameters of a baseline.
 struct BaselineHand {
-  /// The robot hand.
   const robot::Robot& robot;
-  /// Frame at which the vectors to the tips begin.
-  int origin = 0;
-  /// Scale s of the human hand.
-  double scale = 1;
+  int origin = 0;    ///< frame at which the vectors to the tips begin
+  double scale = 1;  ///< scale s of the human hand
 };
 
-/// The pairs of tips that are closed, as carried from one frame to the next.
+/// The pairs of tips that are closed, which also depends on the frame before.
 struct ClosedPairs {
-  std::vector<bool> closed;  ///< pairs with the thumb come first
+  std::vector<bool> closed;  ///< of (0, 1), (0, 2), …, (1, 2), …; the first tip is the thumb
 };
 
-/// Computes the objective of a frame at q. The human tips [m] are given relative to their wrist in
-/// the axes of the robot's palm. `closed` must be updated for the frame first
-/// (update_closed_pairs). Adds to gradient [n] if it is not null.
+/// Returns the objective of a frame at q, and its gradient [n] unless null. The human tips [m] are
+/// given relative to their wrist in the axes of the robot's palm. `closed` has been updated for the
+/// frame by update_closed_pairs(), and `q_last` are the joint positions of the frame before.
 double baseline_objective(BaselineMethod method, const BaselineHand& hand,
                           const std::vector<Vec3>& human_tips, const ClosedPairs& closed,
-                          const JointVector& last, const JointVector& q, JointVector* gradient);
-/// Updates the closed pairs for a frame.
+                          const JointVector& q_last, const JointVector& q, JointVector* gradient);
+/// Updates the closed pairs, at first empty, for the next frame.
 void update_closed_pairs(const std::vector<Vec3>& human_tips, ClosedPairs& closed);
 
-/// Computes a path [F, n] that starts at the centre of the joint limits. human_tips is [F][tips in
-/// the robot's order].
+/// Returns the path [F, n] of a method for `human_tips` [F][tips of the robot]. The search in the
+/// first frame begins at the centre of the joint limits.
 JointRows baseline_path(BaselineMethod method, const BaselineHand& hand,
                         const std::vector<std::vector<Vec3>>& human_tips);
 

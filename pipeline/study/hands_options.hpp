@@ -10,14 +10,10 @@ namespace morphe::study {
 
 /// A hand of the study with the parameters of its vendor's or of the published setup.
 struct StudiedHand {
-  /// Robot description without an arm.
-  std::string file;
-  /// Frame at which the vectors of the published methods begin, "" for the palm.
-  std::string vector_origin;
-  /// Their scale of the human hand; if absent, the scale found by our method is used.
-  std::optional<double> scale;
-  /// True if thumb and index can touch pad to pad.
-  bool can_pinch = true;
+  std::string file;             ///< robot description without an arm
+  std::string vector_origin;    ///< frame where the published methods' vectors begin, "": the palm
+  std::optional<double> scale;  ///< their scale of the human hand; if absent, ours is used
+  bool can_pinch = true;        ///< true if thumb and index can touch pad to pad
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
@@ -32,20 +28,13 @@ std::string validation_error(const StudiedHand& hand);
 
 /// The options of configs/studies/hands.yaml.
 struct HandsStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// Pipeline whose robot is replaced by each of the hands.
-  std::string pipeline;
-  /// Manifest of recordings of hands alone.
-  std::string manifest;
-  /// The hands, studied one after the other.
+  std::string pipeline;  ///< pipeline whose robot is replaced by each of the hands
+  std::string manifest;  ///< manifest of recordings of hands alone
   std::vector<StudiedHand> robots;
-  /// Thumb-index distance of the human below which a frame is a pinch [m].
-  double pinch_distance = 0.04;
-  /// Number of hands in the quick variant, taken from the first.
-  int quick_robots = 1;
-  /// Number of frames per hand in the quick variant with the published objectives.
-  int quick_frames = 300;
+  double pinch_distance = 0.04;  ///< human thumb-index distance below which a frame is a pinch [m]
+  int quick_robots = 1;          ///< number of hands in the quick variant, taken from the first
+  int quick_frames = 300;        ///< frames per hand for the published methods in the quick variant
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

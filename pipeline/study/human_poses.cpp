@@ -12,10 +12,10 @@ namespace morphe::study {
 namespace {
 
 /// Returns the number of frames of a clock that correspond to a step of `step_s`.
-std::size_t stride(const std::vector<double>& time, double step_s) {
+std::ptrdiff_t stride(const std::vector<double>& time, double step_s) {
   if (time.size() < 2) return 1;
   const double frame_s = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-  return std::max<std::size_t>(1, std::lround(step_s / frame_s));
+  return std::max(1L, std::lround(step_s / frame_s));
 }
 
 template <class Use>
@@ -36,8 +36,8 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
     for (const Movement& movement :
          segment::segment(motion, {}, reconstruct::objects_on_side(demonstration, Side::right))) {
       HumanPoses poses;
-      const std::size_t every = stride(motion.time, step_s);
-      for (std::size_t i = 0; i < motion.time.size(); i += every) {
+      const std::ptrdiff_t every = stride(motion.time, step_s);
+      for (std::ptrdiff_t i = 0; i < std::ssize(motion.time); i += every) {
         if (motion.time[i] < movement.begin_s || motion.time[i] > movement.end_s) continue;
         const Vec3 upper_arm = motion.elbow[i] - motion.shoulder[i];
         const Vec3 forearm = motion.wrist[i] - motion.elbow[i];
@@ -48,9 +48,8 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
         pose.elbow = lengths.upper_arm * upper_arm.normalized();
         pose.wrist = pose.elbow + lengths.forearm * forearm.normalized();
         pose.hand = motion.wrist_orientation[i];
-        for (std::size_t f = 0; f < kFingerCount; ++f) {
+        for (int f = 0; f < std::ssize(pose.tip); ++f)
           pose.tip[f] = pose.wrist + motion.tip(i, f) - motion.wrist[i];
-        }
         poses.push_back(pose);
       }
       if (!poses.empty()) all.push_back(std::move(poses));
@@ -66,11 +65,11 @@ std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
   std::vector<Pose> frames;
   for_each_motion(manifest, [&](const Demonstration&, const HumanMotion& motion) {
     HumanPoses poses;
-    const auto rows = static_cast<std::size_t>(motion.hand_angles.rows());
-    for (std::size_t i = 0; i < rows; i += stride(motion.time, step_s)) {
-      human::HandAngles angles;
+    const std::ptrdiff_t every = stride(motion.time, step_s);
+    for (Eigen::Index i = 0; i < motion.hand_angles.rows(); i += every) {
       const JointVector row = motion.hand_angles.row(i).transpose();
       if (!row.allFinite()) continue;
+      human::HandAngles angles;
       std::copy(row.begin(), row.end(), angles.joint.begin());
       HumanPose pose;
       pose.time = motion.time[i];

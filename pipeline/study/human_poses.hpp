@@ -12,29 +12,26 @@ namespace morphe::study {
 
 /// A pose of a human arm and hand with the shoulder at the origin (X right, Y forward, Z up) [m].
 struct HumanPose {
-  /// The time in the recording [s].
-  double time = 0;
-  /// The elbow and the wrist [m].
+  double time = 0;  ///< [s]
   Vec3 elbow = unknown_point(), wrist = unknown_point();
-  /// The orientation of the hand.
   Quat hand = unknown_rotation();
-  /// Fingertips, unknown if not recorded.
-  std::array<Vec3, kFingerCount> tip;
+  std::array<Vec3, kFingerCount> tip;  ///< fingertips, unknown if not recorded
 
   HumanPose() { tip.fill(unknown_point()); }
 };
 /// The poses of one series, in order of time.
 using HumanPoses = std::vector<HumanPose>;
 
-/// Returns the movements of recordings as performed by an arm of other lengths: upper arm and
-/// forearm keep their directions, the hand keeps its pose relative to the wrist. Frames are about
-/// `step_s` apart and include only those in which shoulder, elbow, wrist and hand were seen. There
-/// is one series per movement.
+/// Returns one series per movement of the recordings, as performed by an arm of other lengths:
+/// upper arm and forearm keep their directions, the hand its pose relative to the wrist. Frames are
+/// about `step_s` apart. Those in which shoulder, elbow, wrist or hand were not seen are left out,
+/// as are movements without frames.
 std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
                                   const human::ArmLengths& lengths, double step_s);
 
-/// Returns whole recordings of hands alone: the recorded finger angles, applied to a hand of
-/// another size (core/human/hand), in its own frame. The origin is the wrist; there is no elbow.
+/// Returns one series per recording of a hand without an arm: the recorded finger angles, applied
+/// to a hand of another size (core/human/hand), in its own frame. The wrist is the origin, and the
+/// elbow is unknown. Frames are about `step_s` apart; those without all angles are left out.
 std::vector<HumanPoses> hand_poses(const std::filesystem::path& manifest,
                                    const human::HandSize& size, double step_s);
 

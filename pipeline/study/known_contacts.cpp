@@ -16,7 +16,7 @@ std::vector<KnownContact> recorded_contacts(const SceneObject& object, double ti
   std::vector<KnownContact> contacts;
   if (object.shape != Shape::sphere || std::isnan(time_s)) return contacts;
   const Pose object_from_world = recorded_pose(object, time_s).inverse();
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+  for (int finger = 0; finger < std::ssize(hand.tip); ++finger) {
     if (!is_known(hand.tip[finger])) continue;
     KnownContact contact;
     contact.finger = finger;

@@ -12,32 +12,26 @@ namespace morphe::study {
 
 /// A contact of a person's finger with an object, in the object's frame.
 struct KnownContact {
-  /// The index of the finger.
-  std::size_t finger = kThumb;
-  /// Point of the surface, tip + pad depth * normal [m].
-  Vec3 point = unknown_point();
-  /// Unit normal, pointing inwards.
-  Vec3 normal = unknown_point();
-  /// The person's fingertip, on the finger's axis [m].
-  Vec3 tip = unknown_point();
-  /// Middle joint of that finger [m].
-  Vec3 middle_joint = unknown_point();
+  int finger = kThumb;
+  Vec3 point = unknown_point();         ///< point of the surface, tip + pad depth * normal [m]
+  Vec3 normal = unknown_point();        ///< unit normal, pointing inwards
+  Vec3 tip = unknown_point();           ///< person's fingertip, on the finger's axis [m]
+  Vec3 middle_joint = unknown_point();  ///< middle joint of that finger [m]
 };
 
 /// The fingers of a person at one instant, in any frame.
 struct ObservedHand {
-  /// The fingertips and middle joints [m].
-  std::array<Vec3, kFingerCount> tip, middle_joint;
+  std::array<Vec3, kFingerCount> tip, middle_joint;  ///< [m]
 };
 
-/// Returns the instant at which both variants of the study evaluate a person's hand: the middle of
-/// the first phase `grasp`, NaN if there is no such phase.
+/// Returns the instant at which a person's hand is evaluated: the middle of the first phase
+/// `grasp`; NaN if there is no such phase.
 double grasp_instant_s(const std::vector<Phase>& phases);
 
-/// Returns the contacts of a recording whose object was recorded. A finger touches at the point of
-/// the surface nearest to its tip at that instant, if its skin (pad_depth from the tip) is within
-/// `near` of the surface. The hand is given in the frame of the object's recorded poses. Returns an
-/// empty list for shapes other than spheres.
+/// Returns the contacts of a hand with a recorded sphere at an instant; other shapes have no
+/// contacts, nor has the instant NaN. A finger touches at the point of the surface nearest to its
+/// tip, if its skin (pad_depth_m from the tip) is within touch_distance_m of the surface. The hand
+/// is given in the frame of the object's recorded poses.
 std::vector<KnownContact> recorded_contacts(const SceneObject& object, double time_s,
                                             const ObservedHand& hand,
                                             const grasp::GraspOptions& options);

@@ -1,7 +1,6 @@
 #include "pipeline/study/mapped_poses.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "core/collision/world.hpp"
 #include "core/humanlike/metrics.hpp"
@@ -29,13 +28,13 @@ void append_moved(std::vector<T>& to, std::vector<T>&& from) {
 }
 
 /// Appends the errors and metric A at q.
-void measure(const robot::Robot& robot, const humanlike::FrameGoal& goal, const JointVector& q,
-             MappedPoses& mapped) {
+void append_measures(const robot::Robot& robot, const humanlike::FrameGoal& goal,
+                     const JointVector& q, MappedPoses& mapped) {
   std::vector<Pose> frames;
   robot::forward_kinematics(robot, q, frames);
   double position = 0, orientation = 0;
   int positions = 0, orientations = 0;
-  for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+  for (int i = 0; i < std::ssize(robot.tips); ++i) {
     const Pose tip = robot::tip_pose(robot, frames, i);
     if (is_known(goal.tip_position[i])) {
       position += (tip.translation() - goal.tip_position[i]).norm();
@@ -48,11 +47,11 @@ void measure(const robot::Robot& robot, const humanlike::FrameGoal& goal, const 
   }
   mapped.position_m.push_back(positions == 0 ? kUnknown : position / positions);
   mapped.orientation_rad.push_back(orientations == 0 ? kUnknown : orientation / orientations);
-  const std::vector<Vec3> inner = robot::arm_centre_positions(robot, frames);
-  mapped.humanlike_m2.push_back(inner.empty() || !is_known(goal.elbow)
+  const std::vector<Vec3> centres = robot::arm_centre_positions(robot, frames);
+  mapped.humanlike_m2.push_back(centres.empty() || !is_known(goal.elbow)
                                     ? kUnknown
-                                    : humanlike::joint_distance_sum(goal.elbow, inner) /
-                                          static_cast<double>(inner.size()));
+                                    : humanlike::joint_distance_sum(goal.elbow, centres) /
+                                          static_cast<double>(centres.size()));
 }
 
 }  // namespace
@@ -78,13 +77,12 @@ std::vector<humanlike::FrameGoal> goals_of(const robot::Robot& robot, const Huma
     humanlike::FrameGoal goal;
     goal.elbow = base_from_shoulder * pose.elbow + shift;
     for (const RobotModel::Tip& tip : robot.tips) {
-      Vec3 place = pose.wrist;
-      if (tip.finger >= 0) place = pose.tip[tip.finger];
-      if (std::isfinite(tip.finger_curve_share)) {
-        place = map::finger_curve_point({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]},
-                                        tip.finger_curve_share);
-      }
-      goal.tip_position.push_back(base_from_shoulder * place);
+      Vec3 position = pose.wrist;
+      if (tip.finger >= 0) position = pose.tip[tip.finger];
+      if (std::isfinite(tip.finger_curve_share))
+        position = map::finger_curve_point({pose.tip[1], pose.tip[2], pose.tip[3], pose.tip[4]},
+                                           tip.finger_curve_share);
+      goal.tip_position.push_back(base_from_shoulder * position);
       goal.tip_orientation.push_back(tip.finger < 0 ? Quat(turn * pose.hand) : unknown_rotation());
     }
     goals.push_back(std::move(goal));
@@ -96,46 +94,47 @@ MappedPoses map_poses(const robot::Robot& robot, const std::vector<humanlike::Fr
                       const StudyWeights& weights, const solve::MinimiseOptions& options,
                       int starts, std::uint64_t seed) {
   constexpr int kKeyFrameCount = 3, kKeptMinimaCount = 4;
-  const collision::CollisionWorld nothing = collision::make_world(robot, {}, {}, {});
+  const collision::CollisionWorld empty_world = collision::make_world(robot, {}, {}, {});
   map::MappingProblem problem;
   problem.robot = &robot;
   problem.objective = objective_of(weights);
   problem.clearance.weight = 0;
-  problem.world = &nothing;
+  problem.world = &empty_world;
   problem.goals = goals;
-  for (std::size_t f = 0; f < goals.size(); ++f) problem.time.push_back(static_cast<double>(f));
+  const std::ptrdiff_t count = std::ssize(goals);
+  for (int f = 0; f < count; ++f) problem.time.push_back(f);
 
   MappedPoses best;
-  best.q.resize(goals.size());
-  best.objective.assign(goals.size(), std::numeric_limits<double>::infinity());
+  best.q.resize(count);
+  best.objective.assign(count, kInfinity);
   map::MappingScratch scratch;
-  const auto take = [&](std::size_t frame, const solve::Minimum& found) {
-    if (!(found.value < best.objective[frame])) return;
-    best.objective[frame] = found.value;
-    best.q[frame] = found.x;
+  const auto keep_if_better = [&](std::ptrdiff_t frame, const solve::Minimum& minimum) {
+    if (!(minimum.value < best.objective[frame])) return;
+    best.objective[frame] = minimum.value;
+    best.q[frame] = minimum.x;
   };
-  const auto follow = [&](std::size_t frame, std::size_t end, int step, JointVector q) {
+  const auto follow = [&](std::ptrdiff_t frame, std::ptrdiff_t end, int step, JointVector q) {
     best.seconds += measure_seconds([&] {
       while (frame != end) {
-        frame = frame + step;
-        const solve::Minimum found = map::solve_frame(problem, frame, q, options, scratch);
-        take(frame, found);
-        q = found.x;
+        frame += step;
+        const solve::Minimum minimum = map::solve_frame(problem, frame, q, options, scratch);
+        keep_if_better(frame, minimum);
+        q = minimum.x;
         ++best.solves;
       }
     });
   };
   for (int k = 0; k < kKeyFrameCount; ++k) {
-    const std::size_t key = (goals.size() - 1) * static_cast<std::size_t>(k) / (kKeyFrameCount - 1);
-    for (const solve::Minimum& start :
-         map::search_frame(problem, key, starts, kKeptMinimaCount, map::thorough_stages(options),
-                           math::seed_from(seed, "key frame", k), scratch)) {
-      take(key, start);
-      follow(key, goals.size() - 1, 1, start.x);
-      follow(key, 0, -1, start.x);
+    const std::ptrdiff_t key_frame = (count - 1) * k / (kKeyFrameCount - 1);
+    for (const solve::Minimum& start : map::search_frame(
+             problem, key_frame, starts, kKeptMinimaCount, map::thorough_stages(options),
+             math::seed_from(seed, "key frame", k), scratch)) {
+      keep_if_better(key_frame, start);
+      follow(key_frame, count - 1, 1, start.x);
+      follow(key_frame, 0, -1, start.x);
     }
   }
-  for (std::size_t f = 0; f < goals.size(); ++f) measure(robot, goals[f], best.q[f], best);
+  for (int f = 0; f < count; ++f) append_measures(robot, goals[f], best.q[f], best);
   return best;
 }
 
@@ -143,7 +142,7 @@ MappedPoses measure_poses(const robot::Robot& robot, const std::vector<humanlike
                           const std::vector<JointVector>& q) {
   MappedPoses mapped;
   mapped.q = q;
-  for (std::size_t f = 0; f < goals.size(); ++f) measure(robot, goals[f], q[f], mapped);
+  for (int f = 0; f < std::ssize(goals); ++f) append_measures(robot, goals[f], q[f], mapped);
   return mapped;
 }
 

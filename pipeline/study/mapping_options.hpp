@@ -10,15 +10,10 @@ namespace morphe::study {
 
 /// A set of recordings that are planned with one pipeline config.
 struct MappingSet {
-  /// The name of the set and its pipeline config.
   std::string name, pipeline;
-  /// Manifest of real recordings, or "" for synthetic ones.
-  std::string manifest;
-  /// Config of pipeline/synthesize.
-  std::string synthetic;
-  /// The number of recordings, in total and in the quick variant.
-  int count = 50, quick_count = 1;
-  /// The seed of the synthetic recordings.
+  std::string manifest;             ///< manifest of real recordings, or "" for synthetic ones
+  std::string synthetic;            ///< config of pipeline/synthesize
+  int count = 50, quick_count = 1;  ///< number of recordings, in total and in the quick variant
   std::uint64_t seed = 1;
 };
 /// Maps the keys of the config to the fields.
@@ -38,21 +33,15 @@ std::string validation_error(const MappingSet& set);
 /// The options of configs/studies/mapping.yaml: the whole pipeline is run over recordings by
 /// several variants of its config. The first variant is ours; the others are compared with it.
 struct MappingStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// The sets of recordings.
   std::vector<MappingSet> sets;
-  /// The variants of the config, ours first.
-  std::vector<StudyVariant> variants;
-  /// Variant with the longest search, which gives the best known continuous sequence.
-  std::string reference_variant;
-  /// Variant without humanlikeness.
-  std::string ik_variant;
-  /// The excess of F above which a frame counts as worse than the best sequence. F is computed with
-  /// the weights of the set's pipeline and with `tip_position` as the weight of the tip positions.
+  std::vector<StudyVariant> variants;  ///< variants of the config, ours first
+  std::string reference_variant;       ///< variant with the longest search, to compare F with
+  std::string ik_variant;              ///< variant without humanlikeness
+  /// The excess of F over that of the best known sequence, above which a frame counts as worse. F
+  /// has the weights of the set's pipeline, except that the tip positions have `tip_position`.
   double excess_threshold = 1e-3;
-  /// Weight w_x of the tip positions [1/m²].
-  double tip_position = 1000;
+  double tip_position = 1000;  ///< weight w_x of the tip positions [1/m²]
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

@@ -4,7 +4,7 @@
 
 namespace morphe::study {
 
-/// Measures the wall-clock time of a function [s].
+/// Calls `work` and returns the wall-clock time that it takes [s].
 template <class Work>
 double measure_seconds(const Work& work) {
   const auto begin = std::chrono::steady_clock::now();

@@ -11,20 +11,22 @@
 namespace morphe::study {
 
 /// The kinds of obstacles that are put into the robot's way, in turn:
-///   elbow   a ball beside the elbow that penetrates it by 5 to 25 mm in the middle of the movement
-///   reach   an upright post in the way of the palm, half-way to the grasp
-///   object  a box beside the target, on the same support
-///   shelf   a board over the target, 10 to 40 mm above the whole hand at the grasp, reaching from
-///           above the front half of the target away from the robot
+///   elbow   a ball at the height of the elbow, which penetrates the arm by 5 to 25 mm there at
+///           an instant in the middle of the path
+///   reach   an upright post in the way of the palm, about half-way to the grasp
+///   object  an upright box beside the target, at the height of its bottom
+///   shelf   a level board, 10 to 40 mm above the highest point of the hand at the grasp; it
+///           extends away from the robot, from an edge up to 40 mm before the target's centre
 inline constexpr const char* kObstacleKinds[] = {"elbow", "reach", "object", "shelf"};
 
-/// Samples an obstacle with which the path of an unobstructed plan collides, but not at its first
-/// sample. Returns an empty value if all of many samples fail. `world_from_base` is the placement
-/// of that plan.
-std::optional<scene::ConfiguredObject> sample_blocking_obstacle(const robot::Robot& robot,
-                                                                const Plan& plan,
-                                                                const Pose& world_from_base,
-                                                                const std::string& kind,
-                                                                std::uint64_t seed);
+/// Draws an obstacle of one of the kinds, in the world frame, until the path of `plan` is clear of
+/// it in the first posture but not in all. The plan is made without an obstacle, with its base at
+/// `world_from_base`. Returns no obstacle if 40 draws fail, or if the target that `object` and
+/// `shelf` need is not a cylinder.
+std::optional<scene::ConfiguredObject> draw_blocking_obstacle(const robot::Robot& robot,
+                                                              const Plan& plan,
+                                                              const Pose& world_from_base,
+                                                              const std::string& kind,
+                                                              std::uint64_t seed);
 
 }  // namespace morphe::study

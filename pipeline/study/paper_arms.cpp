@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <numbers>
+#include <cmath>
 
 #include "core/math/statistics.hpp"
 #include "core/robot/files/generate.hpp"
@@ -25,40 +25,32 @@ MappedRobot map_and_judge(const PaperContext& context, RobotModel robot,
   return result;
 }
 
-/// Adds errors, metric A and time of a case; returns the rows of position and orientation.
-void add_rows(const Case& of, const MappedRobot& mapping, double position_limit_m,
+void add_rows(const Case& condition, const MappedRobot& mapping, double position_limit_m,
               double orientation_limit_rad, StudyResult& result) {
   const MappedPoses& ours = mapping.ours;
-  const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-    result.rows.push_back(make_row(of, metric, unit, value, ours.q.size()));
-    result.rows.back().reachable = marked_share(mapping.reachable);
-    return result.rows.back();
-  };
-  row("position error, all frames", "m", math::mean(ours.position_m));
-  row("position error, reachable frames", "m", mean_of_marked(ours.position_m, mapping.reachable))
+  const ReachableRows rows{condition, ours.q.size(), mapping.reachable, result};
+  rows.add("position error, all frames", "m", math::mean(ours.position_m));
+  rows.add("position error, reachable frames", "m",
+           mean_of_marked(ours.position_m, mapping.reachable))
       .at_most = position_limit_m;
-  const double turn = math::mean(ours.orientation_rad);
-  if (turn == turn) {
-    row("orientation error, all frames", "rad", turn);
-    row("orientation error, reachable frames", "rad",
-        mean_of_marked(ours.orientation_rad, mapping.reachable))
+  const double orientation_rad = math::mean(ours.orientation_rad);
+  if (!std::isnan(orientation_rad)) {
+    rows.add("orientation error, all frames", "rad", orientation_rad);
+    rows.add("orientation error, reachable frames", "rad",
+             mean_of_marked(ours.orientation_rad, mapping.reachable))
         .at_most = orientation_limit_rad;
   }
-  if (math::mean(ours.humanlike_m2) == math::mean(ours.humanlike_m2)) {
-    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
-  }
-  StudyRow& time =
-      row("time per frame, warm start", "s", ours.seconds / static_cast<double>(ours.solves));
-  time.is_timing = true;
+  const double humanlike_m2 = math::mean(ours.humanlike_m2);
+  if (!std::isnan(humanlike_m2)) rows.add("A, mean over centres", "m^2", humanlike_m2);
+  rows.add_solve_time(ours);
 }
 
-/// Adds a plot of the last pose of the first movement.
+/// Plots the last pose of the first movement.
 void add_plot(const std::string& file, const std::string& title, const MappedRobot& mapping,
               const std::vector<HumanPoses>& series, StudyResult& result) {
-  const std::size_t last = series.front().size() - 1;
+  const JointVector& q = mapping.ours.q[series.front().size() - 1];
   result.plots.emplace_back(
-      file, pose_plot(title, series.front().back(),
-                      {{"robot", arm_chain_of(mapping.robot, mapping.ours.q[last])}}));
+      file, pose_plot(title, series.front().back(), {{"robot", arm_chain_of(mapping.robot, q)}}));
 }
 
 }  // namespace
@@ -82,8 +74,8 @@ void run_tracking(const PaperContext& context, StudyResult& result) {
         entry.hand ? robot::generate_arm_hand(arm, {.length = hand.length, .breadth = hand.breadth})
                    : robot::generate_arm(arm),
         series);
-    const Case of = {{"figure", entry.figure}, {"robot", entry.name}};
-    add_rows(of, mapping, entry.position_m, entry.orientation_deg * kRadPerDegree, result);
+    const Case condition = {{"figure", entry.figure}, {"robot", entry.name}};
+    add_rows(condition, mapping, entry.position_m, entry.orientation_deg * kRadPerDegree, result);
     add_plot(fmt::format("figure_{}_{}{}", entry.figure, entry.joints, entry.hand ? "_hand" : ""),
              fmt::format("Fig. {}: {}", entry.figure, entry.name), mapping, series, result);
   }
@@ -101,7 +93,7 @@ void run_fingers(const PaperContext& context, StudyResult& result) {
 }
 
 void run_scales(const PaperContext& context, StudyResult& result) {
-  std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
+  NamedChains chains;
   for (const double scale : {0.8, 0.9, 1.0, 1.1, 1.2}) {
     const MappedRobot mapping = map_and_judge(
         context, robot::generate_arm({.joints = 21, .length = scale * context.arm_length()}),
@@ -121,7 +113,7 @@ void run_terms(const PaperContext& context, StudyResult& result) {
     double position, orientation, humanlike;
   };
   const robot::Robot robot(robot::generate_arm({.joints = 21, .length = context.arm_length()}));
-  std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
+  NamedChains chains;
   for (const Entry& entry :
        {Entry{"all terms", 1, 1, 1}, Entry{"position and orientation", 1, 1, 0},
         Entry{"position", 1, 0, 0}, Entry{"orientation", 0, 1, 0}, Entry{"humanlike", 0, 0, 1}}) {
@@ -129,13 +121,11 @@ void run_terms(const PaperContext& context, StudyResult& result) {
                                entry.orientation * context.weights.tip_orientation,
                                entry.humanlike * context.weights.humanlike};
     const MappedPoses ours = map_all(context, robot, context.arms, weights);
-    const Case of = {{"figure", "8"}, {"terms", entry.name}};
-    const std::size_t n = ours.q.size();
-    result.rows.push_back(make_row(of, "position error", "m", math::mean(ours.position_m), n));
-    result.rows.push_back(
-        make_row(of, "orientation error", "rad", math::mean(ours.orientation_rad), n));
-    result.rows.push_back(
-        make_row(of, "A, mean over centres", "m^2", math::mean(ours.humanlike_m2), n));
+    const Case condition = {{"figure", "8"}, {"terms", entry.name}};
+    const std::ptrdiff_t n = std::ssize(ours.q);
+    result.add(condition, "position error", "m", math::mean(ours.position_m), n);
+    result.add(condition, "orientation error", "rad", math::mean(ours.orientation_rad), n);
+    result.add(condition, "A, mean over centres", "m^2", math::mean(ours.humanlike_m2), n);
     chains.emplace_back(entry.name, arm_chain_of(robot, ours.q[context.arms.front().size() - 1]));
   }
   result.plots.emplace_back(

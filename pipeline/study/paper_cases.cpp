@@ -1,6 +1,5 @@
 #include "pipeline/study/paper_cases.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "core/humanlike/arm_chain.hpp"
@@ -14,36 +13,49 @@ MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
                     const std::vector<HumanPoses>& series, const StudyWeights& weights,
                     const Pose& base_from_shoulder) {
   MappedPoses all;
-  for (std::size_t k = 0; k < series.size(); ++k) {
+  for (int k = 0; k < std::ssize(series); ++k)
     all.append(map_poses(robot, goals_of(robot, series[k], base_from_shoulder), weights,
                          context.options.solver, context.options.starts,
                          math::seed_from(1, "series", k)));
-  }
   return all;
 }
 
 std::vector<char> reachable_frames(const MappedPoses& plain) {
   constexpr double kReachableTolerance_m = 1e-4,
                    kReachableTolerance_rad = 0.1 * std::numbers::pi / 180;
-  std::vector<char> met;
-  for (std::size_t f = 0; f < plain.q.size(); ++f) {
-    met.push_back(!(plain.position_m[f] > kReachableTolerance_m) &&
-                  !(plain.orientation_rad[f] > kReachableTolerance_rad));
-  }
-  return met;
+  std::vector<char> reachable;
+  for (int f = 0; f < std::ssize(plain.q); ++f)
+    reachable.push_back(!(plain.position_m[f] > kReachableTolerance_m) &&
+                        !(plain.orientation_rad[f] > kReachableTolerance_rad));
+  return reachable;
 }
 
-double mean_of_marked(const std::vector<double>& values, const std::vector<char>& which) {
+std::vector<double> marked_values(const std::vector<double>& values,
+                                  const std::vector<char>& marked) {
   std::vector<double> kept;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (which[i]) kept.push_back(values[i]);
+  for (int i = 0; i < std::ssize(values); ++i) {
+    if (marked[i]) kept.push_back(values[i]);
   }
-  return math::mean(kept);
+  return kept;
 }
 
-double marked_share(const std::vector<char>& which) {
-  const auto met = std::ranges::count(which, 1);
-  return which.empty() ? kUnknown : static_cast<double>(met) / static_cast<double>(which.size());
+double mean_of_marked(const std::vector<double>& values, const std::vector<char>& marked) {
+  return math::mean(marked_values(values, marked));
+}
+
+StudyRow& ReachableRows::add(const std::string& metric, const std::string& unit,
+                             double value) const {
+  StudyRow& row = result.add(condition, metric, unit, value, frames);
+  if (!reachable.empty())
+    row.reachable = static_cast<double>(std::ranges::count(reachable, 1)) /
+                    static_cast<double>(reachable.size());
+  return row;
+}
+
+StudyRow& ReachableRows::add_solve_time(const MappedPoses& mapped) const {
+  StudyRow& row = add("time per frame, warm start", "s", mapped.seconds / mapped.solves);
+  row.is_timing = true;
+  return row;
 }
 
 std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q) {
@@ -52,8 +64,7 @@ std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q) 
   return humanlike::arm_chain(robot, frames).joints;
 }
 
-Plot pose_plot(const std::string& title, const HumanPose& human,
-               const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots) {
+Plot pose_plot(const std::string& title, const HumanPose& human, const NamedChains& robots) {
   Plot plot;
   plot.title = title;
   plot.x_label = "forward [m]";

@@ -10,14 +10,10 @@ namespace morphe::study {
 
 /// The data common to all cases of the paper's study.
 struct PaperContext {
-  /// The options of the study.
   PaperStudyOptions options;
-  /// Folder of the robot descriptions.
-  std::filesystem::path robots;
-  /// The series for arms, for fingertips at a wrist, and for hands alone.
-  std::vector<HumanPoses> arms, tips, hands;
-  /// The weights of every case that does not set its own.
-  StudyWeights weights;
+  std::filesystem::path robots;               ///< folder of the robot descriptions
+  std::vector<HumanPoses> arms, tips, hands;  ///< for arms, fingertips at a wrist, hands alone
+  StudyWeights weights;                       ///< of every case that does not set its own
 
   /// Returns the length of the human arm from shoulder to wrist [m].
   double arm_length() const { return options.upper_arm + options.forearm; }
@@ -35,19 +31,33 @@ MappedPoses map_all(const PaperContext& context, const robot::Robot& robot,
 /// Marks the frames whose goals are met to 0.1 mm and 0.1 degrees by a solve without humanlikeness.
 std::vector<char> reachable_frames(const MappedPoses& plain);
 
-/// Computes the mean over the frames that `which` marks.
-double mean_of_marked(const std::vector<double>& values, const std::vector<char>& which);
-/// Returns the share of marked frames.
-double marked_share(const std::vector<char>& which);
+/// Returns the values of the frames that are marked by 1.
+std::vector<double> marked_values(const std::vector<double>& values,
+                                  const std::vector<char>& marked);
+/// Computes the mean over the marked frames.
+double mean_of_marked(const std::vector<double>& values, const std::vector<char>& marked);
 
+/// The rows of one case, each with the share of the frames whose goals are reachable.
+struct ReachableRows {
+  const Case& condition;
+  std::size_t frames = 0;
+  const std::vector<char>& reachable;
+  StudyResult& result;
+
+  /// Adds a row and returns it.
+  StudyRow& add(const std::string& metric, const std::string& unit, double value) const;
+  /// Adds the time of a warm-started solve and returns its row.
+  StudyRow& add_solve_time(const MappedPoses& mapped) const;
+};
+
+/// Chains of points with their names.
+using NamedChains = std::vector<std::pair<std::string, std::vector<Vec3>>>;
 /// Plots the human and robot chains of one frame, seen from the subject's right (forward, up).
-Plot pose_plot(const std::string& title, const HumanPose& human,
-               const std::vector<std::pair<std::string, std::vector<Vec3>>>& robots);
+Plot pose_plot(const std::string& title, const HumanPose& human, const NamedChains& robots);
 /// Returns the joint centres of the arm from the shoulder to the wrist, in the base frame.
 std::vector<Vec3> arm_chain_of(const robot::Robot& robot, const JointVector& q);
 
-/// Runs table 1: end-effector errors of arms of 6 to 27 joints, 0.9 to 1.3 times the human's
-/// length.
+/// Runs table 1: errors of arms of 6 to 27 joints, 0.9 to 1.3 times as long as the human's.
 void run_table_1(const PaperContext& context, StudyResult& result);
 /// Runs figs. 5 and 6: 18- and 20-joint arms, 23- and 44-joint arms with a hand.
 void run_tracking(const PaperContext& context, StudyResult& result);

@@ -11,30 +11,20 @@ namespace morphe::study {
 /// The options of configs/studies/paper*.yaml, which reproduce results of the paper per frame,
 /// without a scene.
 struct PaperStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// Manifest with shoulder, elbow and wrist, for arms.
-  std::string arm_motions;
-  /// Manifest with five fingertips at a wrist, for arms with hands.
-  std::string tip_motions;
-  /// Manifest with finger angles, for hands alone.
-  std::string hand_motions;
-  /// Folder of the descriptions of PA10, DLR/HIT II and WAM.
-  std::string robots;
+  std::string arm_motions;   ///< manifest with shoulder, elbow and wrist, for arms
+  std::string tip_motions;   ///< manifest with five fingertips at a wrist, for arms with hands
+  std::string hand_motions;  ///< manifest with finger angles, for hands alone
+  std::string robots;        ///< folder of the descriptions of PA10, DLR/HIT II and WAM
   /// The dimensions of the human: mean of the 50th percentile man and woman [m].
   double upper_arm = 0.323, forearm = 0.254, hand_length = 0.187, hand_breadth = 0.083;
-  /// Size of robot hands relative to the human's.
-  double hand_scale = 1.1;
+  double hand_scale = 1.1;  ///< size of robot hands relative to the human's
   /// The weights of every case that does not set its own [1/m²], [1/rad of half the angle], [1/m²].
   double tip_position = 1e6, tip_orientation = 10, humanlike = 1;
-  /// The options of the solver.
   solve::MinimiseOptions solver;
-  /// Number of starts at each of three key frames per movement.
-  int starts = 32;
-  /// The time step of the frames [s].
-  double step_s = 0.05, quick_step_s = 0.2;
-  /// Results of the study to compute, empty for all.
-  std::vector<std::string> cases;
+  int starts = 32;  ///< number of starts at each of three key frames per movement
+  double step_s = 0.05, quick_step_s = 0.2;  ///< time step of the frames [s]
+  std::vector<std::string> cases;            ///< results of the study to compute, empty for all
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

@@ -1,5 +1,6 @@
 #include <algorithm>
-#include <numbers>
+#include <cmath>
+#include <iterator>
 
 #include "core/humanlike/match_link_directions.hpp"
 #include "core/humanlike/metrics.hpp"
@@ -11,8 +12,8 @@ namespace morphe::study {
 namespace {
 
 /// Places the base with its axis to the human's right and 15 degrees down, so that an arm whose
-/// second joint cannot reach straight down can hang like a human's. The robot's shoulder is
-/// displaced by `offset` from the human's [m].
+/// second joint cannot point straight down hangs like a human's. The robot's shoulder is at
+/// `offset` from the human's [m].
 Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
   Pose shoulder_from_base = Pose::Identity();
   shoulder_from_base.rotate(Eigen::AngleAxisd(105 * kRadPerDegree, Vec3::UnitY()));
@@ -23,8 +24,8 @@ Pose base_from_shoulder(const robot::Robot& robot, const Vec3& offset) {
   return shoulder_from_base.inverse();
 }
 
-/// Returns goals for a joint-to-joint mapping, in which upper arm, forearm and hand point in the
-/// directions of the human's: the same poses for an arm of the robot's lengths, which it can meet.
+/// Returns the poses for a joint-to-joint mapping: those of an arm with the robot's lengths, whose
+/// links point in the directions of the human's upper arm and forearm.
 std::vector<HumanPoses> scaled_to_robot(const robot::Robot& robot,
                                         const std::vector<HumanPoses>& series) {
   const JointVector zero = JointVector::Zero(robot.joints());
@@ -48,7 +49,7 @@ struct Metrics {
 Metrics metrics_of(const robot::Robot& robot, const std::vector<HumanPoses>& series,
                    const Pose& base_from_shoulder, const std::vector<JointVector>& q) {
   Metrics metrics;
-  std::size_t f = 0;
+  int f = 0;
   for (const HumanPoses& poses : series) {
     for (const HumanPose& pose : poses) {
       const humanlike::Chain chain = arm_chain_of(robot, q[f++]);
@@ -66,21 +67,9 @@ std::vector<humanlike::FrameGoal> all_goals(const robot::Robot& robot,
                                             const std::vector<HumanPoses>& series,
                                             const Pose& base_from_shoulder) {
   std::vector<humanlike::FrameGoal> goals;
-  for (const HumanPoses& poses : series) {
-    for (humanlike::FrameGoal& goal : goals_of(robot, poses, base_from_shoulder)) {
-      goals.push_back(std::move(goal));
-    }
-  }
+  for (const HumanPoses& poses : series)
+    std::ranges::move(goals_of(robot, poses, base_from_shoulder), std::back_inserter(goals));
   return goals;
-}
-
-std::vector<double> marked_values(const std::vector<double>& values,
-                                  const std::vector<char>& which) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (which[i]) result.push_back(values[i]);
-  }
-  return result;
 }
 
 }  // namespace
@@ -105,37 +94,32 @@ void run_mappings(const PaperContext& context, StudyResult& result) {
                      66.65e-3});
   entries.push_back(
       {"inverse kinematics", map_all(context, robot, context.arms, plain, base), kUnknown});
-  const std::vector<char> met = reachable_frames(entries.back().mapped);
-  const std::size_t last = context.arms.front().size() - 1;
-  HumanPose in_base = context.arms.front().back();
-  std::vector<std::pair<std::string, std::vector<Vec3>>> chains;
+  const std::vector<char> reachable = reachable_frames(entries.back().mapped);
+  const HumanPoses& first_series = context.arms.front();
+  NamedChains chains;
   for (const Entry& entry : entries) {
     const MappedPoses mapped = measure_poses(robot, goals, entry.mapped.q);
     const Metrics metrics = metrics_of(robot, context.arms, base, mapped.q);
-    const Case of = {{"figure", "3"}, {"robot", "WAM"}, {"mapping", entry.name}};
-    const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(make_row(of, metric, unit, value, mapped.q.size()));
-      result.rows.back().reachable = marked_share(met);
-      return result.rows.back();
-    };
-    row("position error", "m", math::mean(mapped.position_m)).published = entry.published_m;
-    row("orientation error", "rad", math::mean(mapped.orientation_rad));
-    row("A, mean over centres", "m^2", math::mean(mapped.humanlike_m2));
-    row("B", "m^2", math::mean(metrics.b));
-    row("C", "m^3", math::mean(metrics.c));
-    std::vector<Vec3> chain = arm_chain_of(robot, mapped.q[last]);
+    const Case condition = {{"figure", "3"}, {"robot", "WAM"}, {"mapping", entry.name}};
+    const ReachableRows rows{condition, mapped.q.size(), reachable, result};
+    rows.add("position error", "m", math::mean(mapped.position_m)).published = entry.published_m;
+    rows.add("orientation error", "rad", math::mean(mapped.orientation_rad));
+    rows.add("A, mean over centres", "m^2", math::mean(mapped.humanlike_m2));
+    rows.add("B", "m^2", math::mean(metrics.b));
+    rows.add("C", "m^3", math::mean(metrics.c));
+    std::vector<Vec3> chain = arm_chain_of(robot, mapped.q[first_series.size() - 1]);
     const Vec3 shoulder = base.inverse() * chain.front();
     for (Vec3& point : chain) point = base.inverse() * point - shoulder;
     chains.emplace_back(entry.name, std::move(chain));
   }
-  result.plots.emplace_back("figure_3",
-                            pose_plot("Fig. 3: Barrett WAM by three mappings", in_base, chains));
+  result.plots.emplace_back(
+      "figure_3", pose_plot("Fig. 3: Barrett WAM by three mappings", first_series.back(), chains));
 }
 
 void run_reference(const PaperContext& context, StudyResult& result) {
   struct Entry {
     const char *name, *file;
-    double mean_m, largest_m, share_of_largest, turn_rad, largest_rad;
+    double mean_m, largest_m, largest_quantile, mean_rad, largest_rad;
   };
   for (const Entry& entry :
        {Entry{"PA10", "pa10.yaml", 0.05e-3, 1e-3, 1, 0.05 * kRadPerDegree, 1 * kRadPerDegree},
@@ -144,42 +128,35 @@ void run_reference(const PaperContext& context, StudyResult& result) {
     const Pose base = base_from_shoulder(robot, Vec3(0.10, -0.30, 0.30));
     StudyWeights plain = context.weights;
     plain.humanlike = 0;
-    const MappedPoses without = map_all(context, robot, context.arms, plain, base);
+    const MappedPoses without_a = map_all(context, robot, context.arms, plain, base);
     const MappedPoses ours = map_all(context, robot, context.arms, context.weights, base);
-    const std::vector<char> met = reachable_frames(without);
-    const Case of = {{"section", "4.1, 4.2"}, {"robot", entry.name}};
-    const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(make_row(of, metric, unit, value, ours.q.size()));
-      result.rows.back().reachable = marked_share(met);
-      return result.rows.back();
-    };
+    const std::vector<char> reachable = reachable_frames(without_a);
+    const Case condition = {{"section", "4.1, 4.2"}, {"robot", entry.name}};
+    const ReachableRows rows{condition, ours.q.size(), reachable, result};
     const auto quantile_of = [&](const std::vector<double>& values, double share) {
-      return math::quantile(marked_values(values, met), share);
+      return math::quantile(marked_values(values, reachable), share);
     };
-    const char* part = entry.share_of_largest < 1 ? "99th percentile" : "largest";
-    StudyRow& p =
-        row("position error, reachable frames", "m", mean_of_marked(ours.position_m, met));
-    p.at_most = entry.mean_m;
-    p.published = 1e-3;
-    row((std::string("position error, reachable frames, ") + part).c_str(), "m",
-        quantile_of(ours.position_m, entry.share_of_largest))
+    const std::string quantile = entry.largest_quantile < 1 ? "99th percentile" : "largest";
+    StudyRow& position = rows.add("position error, reachable frames", "m",
+                                  mean_of_marked(ours.position_m, reachable));
+    position.at_most = entry.mean_m;
+    position.published = 1e-3;
+    rows.add("position error, reachable frames, " + quantile, "m",
+             quantile_of(ours.position_m, entry.largest_quantile))
         .at_most = entry.largest_m;
-    if (entry.turn_rad == entry.turn_rad) {
-      StudyRow& o = row("orientation error, reachable frames", "rad",
-                        mean_of_marked(ours.orientation_rad, met));
-      o.at_most = entry.turn_rad;
-      o.published = 1 * kRadPerDegree;
-      row("orientation error, reachable frames, largest", "rad",
-          quantile_of(ours.orientation_rad, 1))
+    if (!std::isnan(entry.mean_rad)) {
+      StudyRow& orientation = rows.add("orientation error, reachable frames", "rad",
+                                       mean_of_marked(ours.orientation_rad, reachable));
+      orientation.at_most = entry.mean_rad;
+      orientation.published = 1 * kRadPerDegree;
+      rows.add("orientation error, reachable frames, largest", "rad",
+               quantile_of(ours.orientation_rad, 1))
           .at_most = entry.largest_rad;
     }
-    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
-    row("A over that of plain inverse kinematics", "1",
-        math::mean(ours.humanlike_m2) / math::mean(without.humanlike_m2));
-    StudyRow& time =
-        row("time per frame, warm start", "s", ours.seconds / static_cast<double>(ours.solves));
-    time.is_timing = true;
-    time.published = 0.2e-3;
+    rows.add("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
+    rows.add("A over that of plain inverse kinematics", "1",
+             math::mean(ours.humanlike_m2) / math::mean(without_a.humanlike_m2));
+    rows.add_solve_time(ours).published = 0.2e-3;
   }
 }
 

@@ -23,15 +23,13 @@ constexpr std::array<PaperCase, 7> kCases{{{"table_1", run_table_1},
 }  // namespace
 
 std::string validation_error(const PaperStudyOptions& o) {
-  if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0)) {
+  if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0))
     return "lengths must be positive";
-  }
   if (!(o.step_s > 0) || !(o.quick_step_s > 0)) return "step_s and quick_step_s must be positive";
   if (o.starts < 1) return "starts must be positive";
   for (const std::string& name : o.cases) {
-    if (std::ranges::none_of(kCases, [&](const PaperCase& c) { return name == c.name; })) {
+    if (std::ranges::none_of(kCases, [&](const PaperCase& c) { return name == c.name; }))
       return fmt::format("cases: unknown case '{}'", name);
-    }
   }
   return "";
 }
@@ -42,20 +40,19 @@ StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run) {
   config::read_document(config, options);
   const std::filesystem::path folder = run.config.parent_path();
   const double step_s = run.quick ? options.quick_step_s : options.step_s;
+  const human::ArmLengths arm{options.upper_arm, options.forearm};
   context.robots = folder / options.robots;
-  context.arms =
-      arm_poses(folder / options.arm_motions, {options.upper_arm, options.forearm}, step_s);
-  context.tips =
-      arm_poses(folder / options.tip_motions, {options.upper_arm, options.forearm}, step_s);
+  context.arms = arm_poses(folder / options.arm_motions, arm, step_s);
+  context.tips = arm_poses(folder / options.tip_motions, arm, step_s);
   context.hands = hand_poses(folder / options.hand_motions,
                              {options.hand_length, options.hand_breadth}, step_s);
   context.weights = {options.tip_position, options.tip_orientation, options.humanlike};
   StudyResult result;
-  for (const PaperCase& one : kCases) {
-    const auto& asked = options.cases;
-    if (!asked.empty() && std::ranges::find(asked, one.name) == asked.end()) continue;
-    run.progress(one.name);
-    one.run(context, result);
+  for (const PaperCase& paper_case : kCases) {
+    const auto& selected = options.cases;
+    if (!selected.empty() && std::ranges::count(selected, paper_case.name) == 0) continue;
+    run.progress(paper_case.name);
+    paper_case.run(context, result);
   }
   return result;
 }

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <numbers>
 
 #include "core/math/statistics.hpp"
 #include "core/robot/files/generate.hpp"
@@ -33,8 +31,7 @@ struct ErrorPair {
   double position_m, orientation_rad;
 };
 
-/// Computes mean errors of solves without humanlikeness, with weights from nearly all on the
-/// position to nearly all on the orientation.
+/// Computes mean errors without humanlikeness, for increasing weights of the orientation.
 std::vector<ErrorPair> pareto_front(const PaperContext& context, const robot::Robot& robot) {
   std::vector<ErrorPair> pairs;
   for (double orientation = 1e-2; orientation < 2e3; orientation *= 10) {
@@ -45,14 +42,13 @@ std::vector<ErrorPair> pareto_front(const PaperContext& context, const robot::Ro
   return pairs;
 }
 
-/// Finds the pair of errors nearest to a required one, measured as the larger of the two ratios. If
-/// the result is above 1, the requirement is geometrically impossible on these motions.
-double least_ratio(const std::vector<ErrorPair>& front, const ErrorPair& wanted) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const ErrorPair& pair : front) {
-    least = std::min(least, std::max(pair.position_m / wanted.position_m,
-                                     pair.orientation_rad / wanted.orientation_rad));
-  }
+/// Returns the minimum over the pairs of max(position error / required, orientation error /
+/// required). Above 1, the requirement is geometrically impossible on these motions.
+double least_ratio(const std::vector<ErrorPair>& front, const ErrorPair& required) {
+  double least = kInfinity;
+  for (const ErrorPair& pair : front)
+    least = std::min(least, std::max(pair.position_m / required.position_m,
+                                     pair.orientation_rad / required.orientation_rad));
   return least;
 }
 
@@ -67,50 +63,50 @@ void run_table_1(const PaperContext& context, StudyResult& result) {
     plain.humanlike = 0;
     heavily_weighted.tip_position *= 100;
     heavily_weighted.tip_orientation *= 100;
-    const std::vector<char> met = reachable_frames(map_all(context, robot, context.arms, plain));
-    const MappedPoses best = map_all(context, robot, context.arms, heavily_weighted);
-    const Case of = {{"table", "1"},
-                     {"joints", std::to_string(cell.joints)},
-                     {"length", fmt::format("{:.2f}", cell.scale)}};
-    const std::size_t n = ours.q.size();
-    const auto row = [&](const char* metric, const char* unit, double value) -> StudyRow& {
-      result.rows.push_back(make_row(of, metric, unit, value, n));
-      result.rows.back().reachable = marked_share(met);
-      return result.rows.back();
+    const std::vector<char> reachable =
+        reachable_frames(map_all(context, robot, context.arms, plain));
+    const MappedPoses exact_tips = map_all(context, robot, context.arms, heavily_weighted);
+    const Case condition = {{"table", "1"},
+                            {"joints", std::to_string(cell.joints)},
+                            {"length", fmt::format("{:.2f}", cell.scale)}};
+    const ReachableRows rows{condition, ours.q.size(), reachable, result};
+    const auto mean_of = [&](const std::vector<double>& values) {
+      return mean_of_marked(values, reachable);
     };
-    const double position = math::mean(ours.position_m), turn = math::mean(ours.orientation_rad);
+    const ErrorPair error{math::mean(ours.position_m), math::mean(ours.orientation_rad)};
     // The paper's degrees may be half the angle of rotation; the full angle is then twice as large.
-    const ErrorPair whole{cell.position_mm * kMetresPerMillimetre,
-                          cell.orientation_deg * kRadPerDegree};
-    const ErrorPair half{whole.position_m, 2 * whole.orientation_rad};
-    row("position error", "m", position).published = whole.position_m;
-    row("orientation error", "rad", turn).published = whole.orientation_rad;
-    const auto ask = [&, first = result.rows.size() - 2](const ErrorPair& wanted) {
-      result.rows[first].at_most = wanted.position_m;
-      result.rows[first + 1].at_most = wanted.orientation_rad;
+    const ErrorPair full_angle{cell.position_mm * kMetresPerMillimetre,
+                               cell.orientation_deg * kRadPerDegree};
+    const ErrorPair half_angle{full_angle.position_m, 2 * full_angle.orientation_rad};
+    rows.add("position error", "m", error.position_m).published = full_angle.position_m;
+    rows.add("orientation error", "rad", error.orientation_rad).published =
+        full_angle.orientation_rad;
+    const auto require = [&, first = result.rows.size() - 2](const ErrorPair& required) {
+      result.rows[first].at_most = required.position_m;
+      result.rows[first + 1].at_most = required.orientation_rad;
     };
-    if (position <= whole.position_m && turn <= whole.orientation_rad) {
-      ask(whole);
+    if (error.position_m <= full_angle.position_m &&
+        error.orientation_rad <= full_angle.orientation_rad) {
+      require(full_angle);
     } else {
-      const std::vector<ErrorPair> pairs = pareto_front(context, robot);
-      for (const ErrorPair& wanted : {half, whole}) {
-        if (least_ratio(pairs, wanted) <= 1) ask(wanted);
+      const std::vector<ErrorPair> front = pareto_front(context, robot);
+      for (const ErrorPair& required : {half_angle, full_angle}) {
+        if (least_ratio(front, required) <= 1) require(required);
       }
-      row("without humanlikeness, closest pair over published", "1", least_ratio(pairs, whole));
-      row("without humanlikeness, published degrees as half the angle", "1",
-          least_ratio(pairs, half));
+      rows.add("without humanlikeness, closest pair over published", "1",
+               least_ratio(front, full_angle));
+      rows.add("without humanlikeness, published degrees as half the angle", "1",
+               least_ratio(front, half_angle));
     }
-    row("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
-    if (marked_share(met) > 0) {
-      row("A over its optimum at exact tips, reachable frames", "1",
-          mean_of_marked(ours.humanlike_m2, met) / mean_of_marked(best.humanlike_m2, met))
+    rows.add("A, mean over centres", "m^2", math::mean(ours.humanlike_m2));
+    if (std::ranges::count(reachable, 1) > 0) {
+      rows.add("A over its optimum at exact tips, reachable frames", "1",
+               mean_of(ours.humanlike_m2) / mean_of(exact_tips.humanlike_m2))
           .at_most = 1.05;
-      row("position error, reachable frames", "m", mean_of_marked(ours.position_m, met));
-      row("orientation error, reachable frames", "rad", mean_of_marked(ours.orientation_rad, met));
+      rows.add("position error, reachable frames", "m", mean_of(ours.position_m));
+      rows.add("orientation error, reachable frames", "rad", mean_of(ours.orientation_rad));
     }
-    StudyRow& time =
-        row("time per frame, warm start", "s", ours.seconds / static_cast<double>(ours.solves));
-    time.is_timing = true;
+    rows.add_solve_time(ours);
   }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 #include "core/motion/demonstration.hpp"
@@ -11,10 +10,9 @@ namespace morphe::study {
 
 /// An accumulator for the root mean square of errors.
 struct MeanSquare {
-  /// The sum of the squared errors.
-  double sum = 0;
-  /// The number of errors.
-  std::size_t n = 0;
+  double sum = 0;  ///< of the squared errors
+  int n = 0;       ///< number of errors
+
   /// Adds an error unless it is not finite.
   void add(double error) {
     if (!std::isfinite(error)) return;
@@ -27,28 +25,19 @@ struct MeanSquare {
     n += other.n;
   }
   /// Returns the root mean square, NaN if there are no errors.
-  double rms() const { return n == 0 ? kUnknown : std::sqrt(sum / static_cast<double>(n)); }
+  double rms() const { return n == 0 ? kUnknown : std::sqrt(sum / n); }
 };
 
-/// The errors of a reconstructed recording with respect to the ground truth from which it was
-/// synthesized.
+/// The errors of a reconstruction with respect to the ground truth of a synthetic recording.
 struct ReconstructionScore {
-  /// Distance from the ground truth [m].
-  MeanSquare shoulder, elbow, wrist, tips;
-  /// The same in the frame of the hand, that is, the error of the glove [m].
-  MeanSquare tips_in_hand;
-  /// Full angle of the orientation error of the hand [rad].
-  MeanSquare orientation;
-  /// Errors of the joint angles [rad].
-  MeanSquare arm_angles, hand_angles;
-  /// Speed of the index tip, reconstructed and true, while the true tip rests [m/s].
-  MeanSquare speed_at_rest, true_speed_at_rest;
-  /// Delay of the index tip behind the ground truth, one for each recording [s].
-  std::vector<double> delay_s;
-  /// Reconstructed divided by true peak speed, one for each labelled reach.
-  std::vector<double> peak_ratio;
-  /// Number of frames with wrist and tips, and of all frames.
-  std::size_t seen = 0, frames = 0;
+  MeanSquare shoulder, elbow, wrist, tips;  ///< distance from the ground truth [m]
+  MeanSquare tips_in_hand;  ///< same in the frame of the hand, due to the finger angles alone [m]
+  MeanSquare orientation;   ///< full angle of the orientation error of the hand [rad]
+  MeanSquare arm_angles, hand_angles;            ///< errors of the joint angles [rad]
+  MeanSquare speed_at_rest, true_speed_at_rest;  ///< of the index tip, true speed <= 5 mm/s [m/s]
+  std::vector<double> delay_s;     ///< of the index tip behind the ground truth, one per recording
+  std::vector<double> peak_ratio;  ///< reconstructed over true peak speed, one per labelled reach
+  int seen = 0, frames = 0;        ///< number of frames with wrist and tips, and of all frames
 
   /// Adds the errors of another recording.
   void add(const ReconstructionScore& other);
@@ -59,9 +48,10 @@ struct ReconstructionScore {
 /// angles in `arm_angles`, all on one clock.
 ReconstructionScore score_reconstruction(const HumanMotion& motion, const Demonstration& truth);
 
-/// Estimates the delay of `signal` behind `reference` [s], both sampled every `step_s`: the peak of
-/// the cross-correlation of the signals without their means, within ±0.2 s, refined by a parabola
-/// through its top three points. Returns NaN if one of the signals is constant.
+/// Returns the delay of `signal` behind `reference` [s], both of the same length, with a value
+/// every `step_s`. It is the peak of the cross-correlation of the signals without their means,
+/// within ±0.2 s (at most a quarter of the length), refined by a parabola through the top three
+/// points. Returns NaN if there is no peak inside this range, as for a constant signal.
 double estimate_delay_s(const std::vector<double>& signal, const std::vector<double>& reference,
                         double step_s);
 

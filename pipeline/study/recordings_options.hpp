@@ -11,7 +11,6 @@ namespace morphe::study {
 
 /// A recording and the file with its joint angles.
 struct AngleFile {
-  /// The name of the recording and the path of the file.
   std::string recording, file;
 };
 /// Maps the keys of the config to the fields.
@@ -23,7 +22,6 @@ void fields(Fields& f, AngleFile& o) {
 
 /// A set of real recordings with annotated movements.
 struct RealSet {
-  /// The name of the set and its manifest.
   std::string name, manifest;
   /// True if the labels use the same definition of boundaries as segmentation.
   bool same_boundaries = false;
@@ -41,20 +39,14 @@ void fields(Fields& f, RealSet& o) {
 
 /// A set of recordings made by pipeline/synthesize.
 struct SyntheticSet {
-  /// The name of the set and its config.
   std::string name, config;
-  /// The number of recordings, in total and in the quick variant.
-  int count = 500, quick_count = 20;
-  /// The seed of the recordings.
+  int count = 500, quick_count = 20;  ///< number of recordings, in total and in the quick variant
   std::uint64_t seed = 1;
-  /// Settings "a.b=value" applied to the config.
-  std::vector<std::string> set;
-  /// Required recall, 0 for no requirement.
-  double min_recall = 0;
+  std::vector<std::string> set;  ///< settings "a.b=value" applied to the config
+  double min_recall = 0;         ///< required recall, 0 for no requirement
   /// Required median and 95th percentile of the boundary errors [s].
   double max_median_error_s = 0, max_p95_error_s = 0;
-  /// True if positions are evaluated as well.
-  bool score_positions = false;
+  bool score_positions = false;  ///< true if positions are evaluated as well
   /// Required rms of elbow and wrist, and of fingertips [m].
   double max_joint_rms_m = 0, max_fingertip_rms_m = 0;
 };
@@ -79,17 +71,11 @@ std::string validation_error(const SyntheticSet& set);
 
 /// The options of configs/studies/recordings.yaml.
 struct RecordingsStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// The sets of real recordings.
   std::vector<RealSet> real;
-  /// The sets of synthetic recordings.
   std::vector<SyntheticSet> synthetic;
-  /// The options of the reconstruction.
   reconstruct::ReconstructOptions reconstruct;
-  /// The options of the human model.
   reconstruct::HumanOptions human;
-  /// The options of the segmentation.
   segment::SegmentOptions segment;
 };
 /// Maps the keys of the config to the fields.

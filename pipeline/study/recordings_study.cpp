@@ -17,9 +17,8 @@ StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& r
   errors.title = "Boundaries of reaches on synthetic recordings";
   errors.x_label = "error [ms]";
   errors.y_label = "share of boundaries with a smaller error [%]";
-  for (const SyntheticSet& set : options.synthetic) {
+  for (const SyntheticSet& set : options.synthetic)
     score_synthetic(options, set, run, result, errors);
-  }
   if (!errors.lines.empty()) result.plots.emplace_back("boundary_errors", std::move(errors));
   return result;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "core/collision/continuous_check.hpp"
 #include "core/collision/fcl_engine.hpp"
 #include "core/math/seed.hpp"
 #include "pipeline/planning/plan_movement.hpp"
@@ -15,7 +14,6 @@
 namespace morphe::study {
 namespace {
 
-/// One movement of a recording before planning.
 struct RecordedMovement {
   Demonstration demonstration;
   HumanMotion motion;
@@ -40,33 +38,31 @@ Plan plan_with(const planning::LoadedConfig& loaded,
   planning::PipelineConfig config = loaded.options;
   if (obstacle) config.scene.objects.push_back(*obstacle);
   const planning::PlanningInputs planner{config, loaded.robot};
-  planning::StageSeconds seconds;
   return planning::plan_movement(planner, recorded.demonstration, recorded.motion,
-                                 recorded.movement, seconds);
+                                 recorded.movement);
 }
 
-/// Counts the states in collision, by FCL alone and without a margin, at states between which no
-/// body moves farther than `step_m`.
+/// Counts the states of a trajectory, without its last sample, that FCL alone finds in collision at
+/// a required clearance of 0. From one state to the next, no capsule of the robot moves farther
+/// than `step_m`; objects may.
 void count_colliding_states(const robot::Robot& robot, const Plan& plan,
                             const Trajectory& trajectory, double step_m, RepairOutcome& repaired) {
-  Tolerances touching = plan.tolerances;
-  touching.required_clearance = 0;
+  Tolerances without_margin = plan.tolerances;
+  without_margin.required_clearance = 0;
   const collision::CollisionWorld world =
-      collision::make_world(robot, plan.scene, plan.movement, touching);
+      collision::make_world(robot, plan.scene, plan.movement, without_margin);
   collision::FclEngine engine(world);
   collision::CollisionScratch scratch;
-  for (std::size_t i = 1; i < trajectory.samples(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const JointVector from = trajectory.position.row(row - 1), to = trajectory.position.row(row);
+  for (Eigen::Index i = 1; i < trajectory.position.rows(); ++i) {
+    const JointVector from = trajectory.position.row(i - 1), to = trajectory.position.row(i);
     const double travel_m = (robot.capsule_motion_bounds * (to - from).cwiseAbs()).maxCoeff();
     const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / step_m)));
     for (int k = 0; k < steps; ++k) {
       const double share = static_cast<double>(k) / steps;
       const double from_s = trajectory.demonstration_time[i - 1];
       const double time_s = from_s + share * (trajectory.demonstration_time[i] - from_s);
-      repaired.colliding_states +=
-          engine.is_free(from + share * (to - from), time_s, scratch) ? 0 : 1;
-      ++repaired.states;
+      const bool free = engine.is_free(from + share * (to - from), time_s, scratch);
+      repaired.colliding_states += free ? 0 : 1;
     }
   }
 }
@@ -74,9 +70,10 @@ void count_colliding_states(const robot::Robot& robot, const Plan& plan,
 RepairOutcome score_repair(const RepairStudy& study, const robot::Robot& robot, const Plan& plan) {
   RepairOutcome repaired;
   repaired.executable = plan.executable();
-  repaired.failure =
-      plan.executable() ? "" : fmt::format("{} ({})", name_of(plan.reason), plan.detail);
-  if (!repaired.executable) return repaired;
+  if (!repaired.executable) {
+    repaired.failure = fmt::format("{} ({})", name_of(plan.reason), plan.detail);
+    return repaired;
+  }
   Trajectory untimed;
   untimed.time = untimed.demonstration_time = plan.path.demonstration_time;
   untimed.position = plan.path.position;
@@ -84,17 +81,16 @@ RepairOutcome score_repair(const RepairStudy& study, const robot::Robot& robot, 
       certify::goal_errors(robot, plan.goals, plan.movement, plan.tolerances, untimed);
   repaired.humanlikeness_ratio = errors.humanlikeness / plan.certificate.humanlikeness_mapped;
   repaired.mean_tip_error_m = errors.position_mean;
-  for (std::size_t k = 0; k < plan.path.origin.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
+  for (int k = 0; k < std::ssize(plan.path.origin); ++k)
     repaired.mapped_samples_changed |= plan.path.origin[k] == SampleOrigin::mapped &&
-                                       plan.path.position.row(row) != plan.mapped.position.row(row);
-  }
+                                       plan.path.position.row(k) != plan.mapped.position.row(k);
   count_colliding_states(robot, plan, plan.trajectory.samples() > 0 ? plan.trajectory : untimed,
                          study.options.check_step_m, repaired);
   return repaired;
 }
 
-/// Repairs the path that was free without the obstacle by a planner alone.
+/// Returns the plan `undisturbed`, made without the obstacle, after a repair of its path by detours
+/// alone in the scene of `disturbed`, made with it. The result has no trajectory.
 Plan repair_with_planner_only(const planning::LoadedConfig& loaded, const Plan& undisturbed,
                               const Plan& disturbed, std::uint64_t seed) {
   Plan plan = undisturbed;
@@ -105,11 +101,11 @@ Plan repair_with_planner_only(const planning::LoadedConfig& loaded, const Plan& 
   const repair::PathCheck check = [&](const JointPath& path) {
     return check::check_path(world, plan.goals, plan.movement, path, loaded.options.check);
   };
-  const repair::DetourContext around{world, loaded.options.repair, seed, check, {}};
+  const repair::DetourContext context{world, loaded.options.repair, seed, check, {}};
   const repair::CheckedPath start{plan.path, check(plan.path)};
-  const repair::RepairStrategy a_detour{
-      "detour", [&](const repair::CheckedPath& best) { return repair::detour(around, best); }};
-  const Outcome<repair::RepairResult> repaired = repair::repair_path({a_detour}, start);
+  const repair::RepairStrategy detour{
+      "detour", [&](const repair::CheckedPath& best) { return repair::detour(context, best); }};
+  const Outcome<repair::RepairResult> repaired = repair::repair_path({detour}, start);
   plan.path = repaired.value.path;
   plan.reason = repaired.failure.reason;
   plan.detail = repaired.failure.detail;
@@ -119,7 +115,7 @@ Plan repair_with_planner_only(const planning::LoadedConfig& loaded, const Plan& 
 }  // namespace
 
 ObstacleCase run_case(const RepairStudy& study, const std::vector<planning::LoadedConfig>& variants,
-                      const planning::LoadedConfig& plain,
+                      const planning::LoadedConfig& planner_only,
                       const std::vector<planning::LoadedConfig>& long_searches,
                       std::uint64_t index) {
   ObstacleCase result;
@@ -136,7 +132,7 @@ ObstacleCase run_case(const RepairStudy& study, const std::vector<planning::Load
       map::place_robot(ours.robot, map::shoulder_at_begin(recorded.motion, recorded.movement),
                        ours.options.placement);
   const std::optional<scene::ConfiguredObject> obstacle =
-      sample_blocking_obstacle(ours.robot, free_plan, world_from_base, result.kind, seed);
+      draw_blocking_obstacle(ours.robot, free_plan, world_from_base, result.kind, seed);
   if (!obstacle) return result;
   result.is_valid = true;
   Plan obstructed_plan;
@@ -145,7 +141,7 @@ ObstacleCase run_case(const RepairStudy& study, const std::vector<planning::Load
     result.variants.push_back(score_repair(study, ours.robot, obstructed_plan));
   }
   result.variants.push_back(score_repair(
-      study, ours.robot, repair_with_planner_only(plain, free_plan, obstructed_plan, seed)));
+      study, ours.robot, repair_with_planner_only(planner_only, free_plan, obstructed_plan, seed)));
   if (result.variants.front().executable) return result;
   for (const planning::LoadedConfig& search : long_searches) {
     if (result.found_by_long_search) break;

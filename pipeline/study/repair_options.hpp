@@ -9,34 +9,23 @@
 namespace morphe::study {
 
 /// The options of configs/studies/repair.yaml: movements that are executable without an obstacle
-/// are planned again with an obstacle in the robot's way (pipeline/study/obstacles.hpp), by several
-/// repair methods. The first method is ours. A case counts as solvable if our method, or the long
-/// search with any of its seeds, makes an executable plan. The long search is run only if our
-/// method fails, and never with --quick.
+/// are planned again with an obstacle in the robot's way (obstacles.hpp), by several repair
+/// methods. A case is solvable if our method, the long search with any of its seeds, or the method
+/// that is judged makes an executable plan. The long search runs only if our method fails, not with
+/// --quick.
 struct RepairStudyOptions {
-  /// The name of the study and its pipeline config.
   std::string study, pipeline;
-  /// Config of pipeline/synthesize.
-  std::string synthetic;
-  /// The seed of the recordings and obstacles.
-  std::uint64_t seed = 1;
-  /// Number of movements with an obstacle, each from another recording.
-  int cases = 200, quick_cases = 2;
-  /// Maximum number of recordings that are tried.
-  int recordings = 600;
-  /// Index of the first synthetic recording that is tried.
-  int first_recording = 0;
-  /// The repair methods, ours first.
-  std::vector<StudyVariant> variants;
-  /// Planner alone, which repairs the path that was executable without the obstacle, without a
-  /// mapping.
+  std::string synthetic;               ///< config of pipeline/synthesize
+  std::uint64_t seed = 1;              ///< seed of the recordings and obstacles
+  int cases = 200, quick_cases = 2;    ///< movements with an obstacle, each from another recording
+  int recordings = 600;                ///< maximum number of recordings that are tried
+  int first_recording = 0;             ///< index of the first synthetic recording that is tried
+  std::vector<StudyVariant> variants;  ///< repair methods, ours first
+  /// Planner alone, which repairs the path that was executable without the obstacle.
   StudyVariant planner_only;
-  /// The long search.
   StudyVariant long_search;
-  /// The seeds of the long search.
   std::vector<std::uint64_t> long_seeds = {1, 2, 3};
-  /// Largest displacement of any body between two states of the independent check [m].
-  double check_step_m = 1e-4;
+  double check_step_m = 1e-4;  ///< motion of any body between two states of the independent check
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/files/atomic_file.hpp"
@@ -15,8 +14,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string requirement_text(const StudyRow& row) {
-  if (row.at_least == row.at_least) return fmt::format(">= {:.4g}", row.at_least);
-  if (row.at_most == row.at_most) return fmt::format("<= {:.4g}", row.at_most);
+  if (!std::isnan(row.at_least)) return fmt::format(">= {:.4g}", row.at_least);
+  if (!std::isnan(row.at_most)) return fmt::format("<= {:.4g}", row.at_most);
   return "";
 }
 
@@ -35,7 +34,6 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// Removes the rows that depend on the machine.
 StudyResult remove_timed_rows(StudyResult result) {
   std::erase_if(result.rows, [](const StudyRow& row) { return row.is_timing; });
   return result;
@@ -76,9 +74,9 @@ std::string results_json(const StudyResult& all) {
   const StudyResult result = remove_timed_rows(all);
   Json rows = Json::array();
   for (const StudyRow& row : result.rows) {
-    Json of = Json::object();
-    for (const auto& [name, value] : row.case_values) of[name] = value;
-    Json json = {{"case", of},
+    Json case_values = Json::object();
+    for (const auto& [name, value] : row.case_values) case_values[name] = value;
+    Json json = {{"case", case_values},
                  {"metric", row.metric},
                  {"unit", row.unit},
                  {"ours", number(row.ours)},
@@ -114,14 +112,15 @@ std::string results_table(const StudyResult& result) {
     case_width = std::max(case_width, case_text(row).size());
     metric_width = std::max(metric_width, row.metric.size());
   }
-  const bool published = std::ranges::any_of(
-      result.rows, [](const StudyRow& row) { return row.published == row.published; });
-  const bool reachable = std::ranges::any_of(
-      result.rows, [](const StudyRow& row) { return row.reachable == row.reachable; });
+  const auto any_known = [&](double StudyRow::*column) {
+    return !std::ranges::all_of(
+        result.rows, [](double x) { return std::isnan(x); }, column);
+  };
+  const bool published = any_known(&StudyRow::published);
+  const bool reachable = any_known(&StudyRow::reachable);
   const auto optional = [](bool shown, double value) {
-    return !shown           ? std::string()
-           : value == value ? fmt::format(" {:>10.4g}", value)
-                            : std::string(11, ' ');
+    if (!shown) return std::string();
+    return std::isnan(value) ? std::string(11, ' ') : fmt::format(" {:>10.4g}", value);
   };
   std::string text =
       fmt::format("{:<{}}  {:<{}}  {:>10} {:<5}{}{} {:>12}  {:>7}\n", "case", case_width, "metric",

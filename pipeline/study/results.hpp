@@ -7,17 +7,16 @@
 
 namespace morphe::study {
 
-/// Returns {study, rows: [{case: {…}, metric, unit, ours, published, reachable, n, wanted,
-/// holds}]}. NaN is written as null; `wanted` (such as ">= 0.99") and `holds` are present for rows
-/// with a requirement.
+/// Returns {study, rows: [{case: {…}, metric, unit, ours, published, reachable, count}]} as JSON. A
+/// row with a requirement also has `requirement` (such as ">= 0.99") and `requirement_met`. NaN is
+/// written as null, and timed rows are left out.
 std::string results_json(const StudyResult& result);
-/// Returns the same data as a table with a header line; the values of a case are joined by "; ".
+/// Returns the same data as CSV with a header line; the values of a case are joined by "; ".
 std::string results_csv(const StudyResult& result);
 /// Returns a table for display, including timed rows.
 std::string results_table(const StudyResult& result);
 
-/// Writes results.json, .csv, .h5 (format "morphe-study", one dataset per column) and one .svg per
-/// plot.
+/// Writes results.json, .csv, .h5 ("morphe-study", one dataset per column) and one .svg per plot.
 void write_results(const StudyResult& result, const std::filesystem::path& folder);
 
 }  // namespace morphe::study

@@ -9,22 +9,14 @@ namespace morphe::study {
 
 /// The options of configs/studies/retime.yaml.
 struct RetimeStudyOptions {
-  /// The name of the study.
   std::string study;
-  /// The seed of the random paths.
   std::uint64_t seed = 1;
-  /// Number of random paths.
-  int paths = 2000, quick_paths = 12;
-  /// Number of random paths of few joints and waypoints.
-  int short_paths = 250000, quick_short_paths = 100;
-  /// Number of paths compared with a much finer grid.
-  int optimum_paths = 50, quick_optimum_paths = 3;
-  /// Pipeline and recordings of the trials, "" for no trials.
-  std::string pipeline, manifest;
-  /// Maximum number of recordings.
-  int trials = 1000, quick_trials = 1;
-  /// Factor applied to the limits of a robot that can follow any human.
-  double limit_factor = 1000;
+  int paths = 2000, quick_paths = 12;                 ///< number of random paths
+  int short_paths = 250000, quick_short_paths = 100;  ///< those of few joints and waypoints
+  int optimum_paths = 50, quick_optimum_paths = 3;    ///< those compared with the shortest time
+  std::string pipeline, manifest;       ///< pipeline and recordings of the trials, "" for no trials
+  int trials = 1000, quick_trials = 1;  ///< maximum number of recordings
+  double limit_factor = 1000;           ///< for the limits of a robot that can follow any human
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>

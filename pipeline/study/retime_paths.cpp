@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "core/math/random_stream.hpp"
@@ -39,11 +38,10 @@ void add_sines(math::RandomStream& random, JointPath& path) {
   for (Eigen::Index k = 0; k < path.position.cols(); ++k) {
     for (int wave = 1; wave <= 3; ++wave) {
       const double amplitude = random.uniform(0, 0.8) / (wave * wave);
-      const double begin = random.uniform(0, kFullTurn_rad);
+      const double phase = random.uniform(0, kFullTurn_rad);
       const double rate = kFullTurn_rad * wave * random.uniform(0.3, 1) / std::max(0.6, duration_s);
       for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
-        const double t = path.demonstration_time[i];
-        path.position(i, k) += amplitude * std::sin(begin + rate * t);
+        path.position(i, k) += amplitude * std::sin(phase + rate * path.demonstration_time[i]);
       }
     }
   }
@@ -51,9 +49,8 @@ void add_sines(math::RandomStream& random, JointPath& path) {
 
 void add_noise(math::RandomStream& random, JointPath& path) {
   const double amplitude = log_uniform(random, 1e-5, 1e-2);
-  for (Eigen::Index i = 0; i < path.position.size(); ++i) {
+  for (Eigen::Index i = 0; i < path.position.size(); ++i)
     path.position.data()[i] += random.uniform(-amplitude, amplitude);
-  }
 }
 
 /// Adds a triangle wave to some joints.
@@ -62,18 +59,22 @@ void add_reversals(math::RandomStream& random, JointPath& path) {
     if (random.bernoulli(0.5)) continue;
     const double amplitude = random.uniform(0.01, 0.3), period = random.uniform(0.2, 1);
     for (Eigen::Index i = 0; i < path.position.rows(); ++i) {
-      const double t = path.demonstration_time[i] / period;
-      path.position(i, k) += amplitude * std::abs(2 * (t - std::floor(t)) - 1);
+      const double periods = path.demonstration_time[i] / period;
+      path.position(i, k) += amplitude * std::abs(2 * (periods - std::floor(periods)) - 1);
     }
   }
 }
 
-/// Repeats the first of a series of waypoints, on request with the same time.
+/// Returns a random share, up to `max_share`, of a count, rounded down.
+Eigen::Index random_part(math::RandomStream& random, double max_share, double count) {
+  return static_cast<Eigen::Index>(random.uniform(0, max_share) * count);
+}
+
+/// Replaces the later ones of a series of waypoints by the first, on request with its time.
 void repeat_waypoint(math::RandomStream& random, JointPath& path, bool same_time) {
   const auto rows = static_cast<double>(path.position.rows());
-  const auto from = static_cast<Eigen::Index>(random.uniform(0, 0.9) * rows);
-  const auto to = std::min(path.position.rows(),
-                           from + 1 + static_cast<Eigen::Index>(random.uniform(0, 0.2) * rows));
+  const Eigen::Index from = random_part(random, 0.9, rows);
+  const Eigen::Index to = std::min(path.position.rows(), from + 1 + random_part(random, 0.2, rows));
   for (Eigen::Index i = from + 1; i < to; ++i) {
     path.position.row(i) = path.position.row(from);
     if (!same_time) continue;
@@ -86,9 +87,8 @@ RandomPath begin_path(math::RandomStream& random, int joints, int waypoints, dou
   out.robot = random_robot(random, joints);
   out.path.position = JointRows::Zero(waypoints, joints);
   out.path.origin.assign(waypoints, SampleOrigin::mapped);
-  for (int i = 0; i < waypoints; ++i) {
+  for (int i = 0; i < waypoints; ++i)
     out.path.demonstration_time.push_back(duration_s * i / std::max(1, waypoints - 1));
-  }
   return out;
 }
 
@@ -103,17 +103,16 @@ struct PathSizes {
   double max_position;    ///< range of random positions [rad]
 };
 
-RandomPath sample_path(math::RandomStream random, const PathSizes& most) {
-  const int joints = 1 + static_cast<int>(random.uniform(0, most.joints));
-  const int waypoints = static_cast<int>(std::lround(log_uniform(random, 2, most.waypoints)));
+RandomPath sample_path(math::RandomStream random, const PathSizes& sizes) {
+  const int joints = 1 + static_cast<int>(random.uniform(0, sizes.joints));
+  const int waypoints = static_cast<int>(std::lround(log_uniform(random, 2, sizes.waypoints)));
   const double step_s =
-      waypoints < 30 ? random.uniform(0.01, most.longest_step_s) : random.uniform(0.004, 0.02);
+      waypoints < 30 ? random.uniform(0.01, sizes.longest_step_s) : random.uniform(0.004, 0.02);
   RandomPath out = begin_path(random, joints, waypoints, step_s * waypoints);
   JointPath& path = out.path;
   if (waypoints < 30 && random.bernoulli(0.5)) {
-    for (Eigen::Index i = 0; i < path.position.size(); ++i) {
-      path.position.data()[i] = random.uniform(-most.max_position, most.max_position);
-    }
+    for (Eigen::Index i = 0; i < path.position.size(); ++i)
+      path.position.data()[i] = random.uniform(-sizes.max_position, sizes.max_position);
   } else {
     add_sines(random, path);
   }
@@ -122,16 +121,15 @@ RandomPath sample_path(math::RandomStream random, const PathSizes& most) {
   while (random.bernoulli(0.3)) repeat_waypoint(random, path, false);
   while (random.bernoulli(0.3)) repeat_waypoint(random, path, true);
   if (random.bernoulli(0.3)) {
-    const auto still = static_cast<Eigen::Index>(random.uniform(0, joints));
-    path.position.col(still).setConstant(path.position(0, still));
+    const auto still_joint = static_cast<Eigen::Index>(random.uniform(0, joints));
+    path.position.col(still_joint).setConstant(path.position(0, still_joint));
   }
   if (random.bernoulli(0.2)) {
-    const auto from = static_cast<std::size_t>(random.uniform(0, 0.7) * waypoints);
-    const auto to = from + static_cast<std::size_t>(0.3 * waypoints);
-    std::fill(path.origin.begin() + from, path.origin.begin() + static_cast<std::ptrdiff_t>(to),
-              SampleOrigin::planned);
+    const Eigen::Index from = random_part(random, 0.7, waypoints);
+    const auto count = static_cast<Eigen::Index>(0.3 * waypoints);
+    std::fill_n(path.origin.begin() + from, count, SampleOrigin::planned);
   }
-  if (random.bernoulli(0.15)) out.robot.jerk.setConstant(std::numeric_limits<double>::infinity());
+  if (random.bernoulli(0.15)) out.robot.jerk.setConstant(kInfinity);
   set_range(out, random.bernoulli(0.3) ? 0 : 0.5);
   return out;
 }
@@ -159,18 +157,18 @@ RandomPath short_path(std::uint64_t seed, std::uint64_t index) {
 }
 
 LimitUsage measure_limit_usage(const RobotModel& robot, const Trajectory& t) {
-  LimitUsage seen;
-  seen.position_excess = -std::numeric_limits<double>::infinity();
-  seen.time_increases = t.samples() > 1;
+  LimitUsage usage;
+  usage.position_excess = -kInfinity;
+  usage.time_increases = t.samples() > 1;
   const Eigen::Index last = t.position.rows() - 1;
-  seen.at_rest = last > 0 && t.velocity.row(0).isZero(0) && t.velocity.row(last).isZero(0) &&
-                 t.acceleration.row(0).isZero(0) && t.acceleration.row(last).isZero(0);
+  usage.at_rest = last > 0 && t.velocity.row(0).isZero(0) && t.velocity.row(last).isZero(0) &&
+                  t.acceleration.row(0).isZero(0) && t.acceleration.row(last).isZero(0);
   for (Eigen::Index i = 0; i < last; ++i) {
     const double h = t.time[i + 1] - t.time[i];
-    seen.time_increases = seen.time_increases && h > 0;
+    usage.time_increases = usage.time_increases && h > 0;
     for (Eigen::Index k = 0; k < t.position.cols(); ++k) {
-      // The offsets are relative to the second-order Taylor step: p = p0 + v0 s + a0 s^2 / 2 + b
-      // s^3 + c s^4 + d s^5.
+      // p = p0 + v0 s + a0 s^2 / 2 + b s^3 + c s^4 + d s^5; dp, dv and da are the differences to
+      // its first three terms at the end, multiplied by h^0, h and h^2.
       const double p0 = t.position(i, k), v0 = t.velocity(i, k), a0 = t.acceleration(i, k);
       const double dp = t.position(i + 1, k) - p0 - h * (v0 + 0.5 * h * a0);
       const double dv = (t.velocity(i + 1, k) - v0 - h * a0) * h;
@@ -184,15 +182,15 @@ LimitUsage measure_limit_usage(const RobotModel& robot, const Trajectory& t) {
         const double v = v0 + s * (a0 + s * (3 * b + s * (4 * c + s * 5 * d)));
         const double a = a0 + s * (6 * b + s * (12 * c + s * 20 * d));
         const double j = 6 * b + s * (24 * c + s * 60 * d);
-        seen.velocity = std::max(seen.velocity, std::abs(v) / robot.velocity[k]);
-        seen.acceleration = std::max(seen.acceleration, std::abs(a) / robot.acceleration[k]);
-        seen.jerk = std::max(seen.jerk, std::abs(j) / robot.jerk[k]);
-        seen.position_excess =
-            std::max({seen.position_excess, robot.lower[k] - p, p - robot.upper[k]});
+        usage.velocity = std::max(usage.velocity, std::abs(v) / robot.velocity[k]);
+        usage.acceleration = std::max(usage.acceleration, std::abs(a) / robot.acceleration[k]);
+        usage.jerk = std::max(usage.jerk, std::abs(j) / robot.jerk[k]);
+        usage.position_excess =
+            std::max({usage.position_excess, robot.lower[k] - p, p - robot.upper[k]});
       }
     }
   }
-  return seen;
+  return usage;
 }
 
 }  // namespace morphe::study

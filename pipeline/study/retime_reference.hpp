@@ -9,11 +9,10 @@ namespace morphe::study {
 retime::ConstrainedPath paced_path_without_jerk(const RobotModel& robot, const JointPath& path,
                                                 const Movement& movement);
 
-/// Computes the minimum time [s] of a constrained path within velocity and acceleration limits by
-/// another method on `steps` steps. The backward pass finds by bisection the largest squared path
-/// velocity x from which the remaining path can be completed (at x, the set of allowed
-/// accelerations is either empty or not); the forward pass applies the largest acceleration.
-/// Constraints are evaluated only at the beginning of each step.
-double reference_least_time_s(const retime::ConstrainedPath& course, int steps);
+/// Returns the minimum time [s] of a constrained path within velocity and acceleration limits, by
+/// another method than retime(), on a grid of `steps` steps. The backward pass finds by bisection
+/// the largest squared path velocity from which the remaining path can be completed. The forward
+/// pass applies the largest acceleration. Constraints are evaluated at the begin of each step.
+double reference_least_time_s(const retime::ConstrainedPath& path, int steps);
 
 }  // namespace morphe::study

@@ -23,7 +23,7 @@ Plot speed_plot(const std::string& name, const HumanMotion& motion,
   plot.x_label = "time [s]";
   plot.y_label = "speed [m/s]";
   Plot::Line tip{"index tip", {}, {}}, wrist{"wrist", {}, {}};
-  for (std::size_t i = 1; i < motion.time.size(); ++i) {
+  for (int i = 1; i < std::ssize(motion.time); ++i) {
     const double step_s = motion.time[i] - motion.time[i - 1];
     tip.x.push_back(motion.time[i]);
     tip.y.push_back((motion.tip(i, kIndex) - motion.tip(i - 1, kIndex)).norm() / step_s);
@@ -58,89 +58,80 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
   // Angle files of other software refer to the axes of their laboratory.
   if (!set.reference_angles.empty()) request.conventions.forward = imports::ForwardSource::recorded;
   SegmentationScore all;
-  std::size_t labelled = 0, overlapped = 0, recordings = 0;
-  double recorded_s = 0, rebuild_s = 0;
+  int labelled = 0, detected = 0, recordings = 0;
+  double recorded_s = 0, reconstruct_s = 0;
   const double total_s = measure_seconds([&] {
     imports::import_recordings(request, [&](Demonstration&& demonstration) {
       ++recordings;
       recorded_s += longest_duration_s(report_streams(demonstration.streams));
       HumanMotion motion;
       std::vector<Movement> movements;
-      rebuild_s += measure_seconds([&] {
+      reconstruct_s += measure_seconds([&] {
         motion = reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
         movements = segment::segment(motion, options.segment,
                                      reconstruct::objects_on_side(demonstration, Side::right));
       });
-      const Case of = {{"set", set.name}, {"recording", demonstration.name}};
+      const Case condition = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {
-        const auto row = [&](const char* what, const char* unit, double value) {
-          result.rows.push_back(
-              make_row(of, fmt::format("{}, {}", stream.name, what), unit, value, stream.columns));
+        const auto row = [&](const char* quantity, const char* unit, double value) {
+          result.add(condition, fmt::format("{}, {}", stream.name, quantity), unit, value,
+                     stream.columns);
         };
         row("duration", "s", stream.duration_s);
         row("rate", "Hz", stream.rate_hz);
         row("valid share", "1", stream.valid_share);
       }
-      StudyRow found =
-          make_row(of, "detected movements", "1", static_cast<double>(movements.size()), 1);
       const SegmentationScore score = score_segmentation(demonstration.labels, movements);
-      if (score.labelled > 0) {
-        found.at_least = found.at_most = static_cast<double>(score.labelled);
-      }
-      result.rows.push_back(found);
+      StudyRow& movement_count = result.add(condition, "detected movements", "1", score.found, 1);
+      if (score.labelled > 0) movement_count.at_least = movement_count.at_most = score.labelled;
       for (const Label& label : demonstration.labels) {
         if (label.phase != PhaseKind::reach) continue;
         ++labelled;
-        overlapped += overlaps_reach(label, movements) ? 1 : 0;
+        detected += overlaps_reach(label, movements) ? 1 : 0;
       }
       all.add(score);
       for (const AngleFile& file : set.reference_angles) {
         if (file.recording != demonstration.name) continue;
         for (const AngleAgreement& angle : compare_with_angle_file(
                  demonstration, motion, options.reconstruct, options.folder / file.file)) {
-          StudyRow correlation =
-              make_row(of, angle.angle + ", correlation", "1", angle.correlation, angle.n);
-          StudyRow rms =
-              make_row(of, angle.angle + ", rms without offset", "rad", angle.rms_rad, angle.n);
-          if (angle.angle == "elbow flexion") {
-            correlation.at_least = 0.99;
-            rms.at_most = 0.0698;  // 4 degrees
-          }
-          result.rows.push_back(correlation);
-          result.rows.push_back(rms);
+          const bool elbow = angle.angle == "elbow flexion";
+          StudyRow& correlation =
+              result.add(condition, angle.angle + ", correlation", "1", angle.correlation, angle.n);
+          if (elbow) correlation.at_least = 0.99;
+          StudyRow& rms = result.add(condition, angle.angle + ", rms without offset", "rad",
+                                     angle.rms_rad, angle.n);
+          if (elbow) rms.at_most = 0.0698;  // 4 degrees
         }
       }
       result.plots.emplace_back(demonstration.name,
                                 speed_plot(demonstration.name, motion, movements));
     });
   });
-  const Case of = {{"set", set.name}};
-  if (labelled > 0) {
-    StudyRow row =
-        make_row(of, "labelled reaches detected", "1", static_cast<double>(overlapped), labelled);
-    row.at_least = static_cast<double>(labelled);
-    result.rows.push_back(row);
-  }
+  const Case condition = {{"set", set.name}};
+  if (labelled > 0)
+    result.add(condition, "labelled reaches detected", "1", detected, labelled).at_least = labelled;
   if (set.same_boundaries) {
-    std::vector<double> errors;
-    for (const char* which : {"reach begin", "reach end"}) {
-      const std::vector<double>& part = all.error_s[which];
-      errors.insert(errors.end(), part.begin(), part.end());
-      result.rows.push_back(make_row(of, fmt::format("{}, largest error", which), "s",
-                                     math::quantile(part, 1), part.size()));
-      result.rows.back().at_most = 0.1;
+    for (const char* boundary : {"reach begin", "reach end"}) {
+      const std::vector<double>& part = all.error_s[boundary];
+      result
+          .add(condition, fmt::format("{}, largest error", boundary), "s", math::quantile(part, 1),
+               part.size())
+          .at_most = 0.1;
     }
-    result.rows.push_back(make_row(of, "reach boundaries, median error", "s",
-                                   math::quantile(errors, 0.5), errors.size()));
-    result.rows.back().at_most = 0.04;
+    const std::vector<double> errors = all.reach_errors_s();
+    result
+        .add(condition, "reach boundaries, median error", "s", math::quantile(errors, 0.5),
+             errors.size())
+        .at_most = 0.04;
   }
-  StudyRow import =
-      make_row(of, "import, times real time", "1", recorded_s / (total_s - rebuild_s), recordings);
-  StudyRow rebuild = make_row(of, "reconstruction and segmentation, times real time", "1",
-                              recorded_s / rebuild_s, recordings);
-  import.is_timing = rebuild.is_timing = true;
-  result.rows.push_back(import);
-  result.rows.push_back(rebuild);
+  const auto add_speed = [&](const char* step, double step_s) {
+    result
+        .add(condition, fmt::format("{}, times real time", step), "1", recorded_s / step_s,
+             recordings)
+        .is_timing = true;
+  };
+  add_speed("import", total_s - reconstruct_s);
+  add_speed("reconstruction and segmentation", reconstruct_s);
   run.progress(fmt::format("{}: {}", set.name, count_with_noun(recordings, "recording")));
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "core/motion/demonstration.hpp"
 #include "pipeline/study/recordings_options.hpp"

@@ -1,11 +1,9 @@
 #include <fmt/format.h>
 
-#include <memory>
-
 #include "core/math/statistics.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/stream_report.hpp"
-#include "core/parallel/ordered_parallel_map.hpp"
+#include "core/parallel/for_each.hpp"
 #include "pipeline/study/measure_seconds.hpp"
 #include "pipeline/study/reconstruction_score.hpp"
 #include "pipeline/study/score_recordings.hpp"
@@ -16,7 +14,6 @@
 namespace morphe::study {
 namespace {
 
-/// The scores of one synthetic recording.
 struct RecordingScore {
   SegmentationScore segmentation;
   ReconstructionScore reconstruction;
@@ -25,7 +22,7 @@ struct RecordingScore {
 
 RecordingScore score_recording(const ScoreOptions& options,
                                const synthesize::SynthesizeOptions& synthetic,
-                               const SyntheticSet& set, std::size_t index) {
+                               const SyntheticSet& set, std::uint64_t index) {
   RecordingScore outcome;
   synthesize::SyntheticRecording recording;
   outcome.synthesize_s =
@@ -54,32 +51,26 @@ RecordingScore score_set(const ScoreOptions& options, const SyntheticSet& set,
   synthesize::SynthesizeOptions synthetic;
   config::read_document(node, synthetic);
 
-  const auto count = static_cast<std::size_t>(run.quick ? set.quick_count : set.count);
   RecordingScore sum;
-  parallel::OrderedParallelMap<std::size_t, RecordingScore> map;
-  map.next = [&, next = std::size_t{0}]() mutable {
-    return next == count ? nullptr : std::make_unique<std::size_t>(next++);
-  };
-  map.work = [&](const std::size_t& index) {
-    return std::make_unique<RecordingScore>(score_recording(options, synthetic, set, index));
-  };
-  map.write = [&](const RecordingScore& one) {
-    sum.segmentation.add(one.segmentation);
-    sum.reconstruction.add(one.reconstruction);
-    sum.recorded_s += one.recorded_s;
-    sum.synthesize_s += one.synthesize_s;
-    sum.rebuild_s += one.rebuild_s;
-  };
-  morphe::parallel::run(map, run.jobs);
+  parallel::ordered_for_each<RecordingScore>(
+      run.quick ? set.quick_count : set.count, run.jobs,
+      [&](std::uint64_t index) { return score_recording(options, synthetic, set, index); },
+      [&](const RecordingScore& recording) {
+        sum.segmentation.add(recording.segmentation);
+        sum.reconstruction.add(recording.reconstruction);
+        sum.recorded_s += recording.recorded_s;
+        sum.synthesize_s += recording.synthesize_s;
+        sum.rebuild_s += recording.rebuild_s;
+      });
   return sum;
 }
 
-void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionScore& score,
+void add_accuracy(const Case& condition, const SyntheticSet& set, const ReconstructionScore& score,
                   StudyResult& result) {
   const auto add = [&](const char* metric, const MeanSquare& square, const char* unit,
                        double at_most = 0) {
-    result.rows.push_back(make_row(of, metric, unit, square.rms(), square.n));
-    if (at_most > 0) result.rows.back().at_most = at_most;
+    StudyRow& row = result.add(condition, metric, unit, square.rms(), square.n);
+    if (at_most > 0) row.at_most = at_most;
   };
   add("shoulder, rms", score.shoulder, "m");
   add("elbow, rms", score.elbow, "m", set.max_joint_rms_m);
@@ -91,39 +82,29 @@ void add_accuracy(const Case& of, const SyntheticSet& set, const ReconstructionS
   add("hand angles, rms", score.hand_angles, "rad");
   add("index tip at rest, rms speed", score.speed_at_rest, "m/s");
   add("index tip at rest, true rms speed", score.true_speed_at_rest, "m/s");
-  result.rows.push_back(
-      make_row(of, "frames fully reconstructed", "1",
-               static_cast<double>(score.seen) / static_cast<double>(score.frames), score.frames));
-  const std::size_t delays = score.delay_s.size(), peaks = score.peak_ratio.size();
-  result.rows.push_back(
-      make_row(of, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays));
-  result.rows.push_back(
-      make_row(of, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays));
-  result.rows.push_back(
-      make_row(of, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays));
-  result.rows.push_back(make_row(of, "peak speed of reaches over the true value, median", "1",
-                                 math::quantile(score.peak_ratio, 0.5), peaks));
+  result.add(condition, "frames fully reconstructed", "1",
+             score.seen / static_cast<double>(score.frames), score.frames);
+  const std::ptrdiff_t delays = std::ssize(score.delay_s);
+  result.add(condition, "delay, median", "s", math::quantile(score.delay_s, 0.5), delays);
+  result.add(condition, "delay, 5th percentile", "s", math::quantile(score.delay_s, 0.05), delays);
+  result.add(condition, "delay, 95th percentile", "s", math::quantile(score.delay_s, 0.95), delays);
+  result.add(condition, "peak speed of reaches over the true value, median", "1",
+             math::quantile(score.peak_ratio, 0.5), score.peak_ratio.size());
 }
 
-void add_boundaries(const Case& of, const SyntheticSet& set, const SegmentationScore& score,
+void add_boundaries(const Case& condition, const SyntheticSet& set, const SegmentationScore& score,
                     StudyResult& result) {
-  std::vector<double> errors;
   for (const auto& [name, part] : score.error_s) {
-    result.rows.push_back(
-        make_row(of, name + ", median error", "s", math::quantile(part, 0.5), part.size()));
-    result.rows.push_back(
-        make_row(of, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size()));
-    if (name == "reach begin" || name == "reach end")
-      errors.insert(errors.end(), part.begin(), part.end());
+    result.add(condition, name + ", median error", "s", math::quantile(part, 0.5), part.size());
+    result.add(condition, name + ", 95th percentile", "s", math::quantile(part, 0.95), part.size());
   }
-  StudyRow median = make_row(of, "reach boundaries, median error", "s", math::quantile(errors, 0.5),
-                             errors.size());
-  StudyRow high = make_row(of, "reach boundaries, 95th percentile", "s",
-                           math::quantile(errors, 0.95), errors.size());
+  const std::vector<double> errors = score.reach_errors_s();
+  StudyRow& median = result.add(condition, "reach boundaries, median error", "s",
+                                math::quantile(errors, 0.5), errors.size());
   if (set.max_median_error_s > 0) median.at_most = set.max_median_error_s;
-  if (set.max_p95_error_s > 0) high.at_most = set.max_p95_error_s;
-  result.rows.push_back(median);
-  result.rows.push_back(high);
+  StudyRow& p95 = result.add(condition, "reach boundaries, 95th percentile", "s",
+                             math::quantile(errors, 0.95), errors.size());
+  if (set.max_p95_error_s > 0) p95.at_most = set.max_p95_error_s;
 }
 
 }  // namespace
@@ -132,29 +113,21 @@ void score_synthetic(const ScoreOptions& options, const SyntheticSet& set, const
                      StudyResult& result, Plot& errors) {
   const RecordingScore sum = score_set(options, set, run);
   const SegmentationScore& score = sum.segmentation;
-  const Case of = {{"set", set.name}};
-  StudyRow precision = make_row(of, "movements, precision", "1", score.precision(), score.found);
-  StudyRow recall = make_row(of, "movements, recall", "1", score.recall(), score.labelled);
-  if (set.min_recall > 0) precision.at_least = recall.at_least = set.min_recall;
-  result.rows.push_back(precision);
-  result.rows.push_back(recall);
-  add_boundaries(of, set, score, result);
-  if (set.score_positions) add_accuracy(of, set, sum.reconstruction, result);
-  StudyRow made =
-      make_row(of, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1);
-  StudyRow rebuilt =
-      make_row(of, "reconstruction, times real time", "1", sum.recorded_s / sum.rebuild_s, 1);
-  made.is_timing = rebuilt.is_timing = true;
-  result.rows.push_back(made);
-  result.rows.push_back(rebuilt);
+  const Case condition = {{"set", set.name}};
+  const double min_share = set.min_recall > 0 ? set.min_recall : kUnknown;
+  result.add(condition, "movements, precision", "1", score.precision(), score.found).at_least =
+      min_share;
+  result.add(condition, "movements, recall", "1", score.recall(), score.labelled).at_least =
+      min_share;
+  add_boundaries(condition, set, score, result);
+  if (set.score_positions) add_accuracy(condition, set, sum.reconstruction, result);
+  result.add(condition, "synthesize, times real time", "1", sum.recorded_s / sum.synthesize_s, 1)
+      .is_timing = true;
+  result.add(condition, "reconstruction, times real time", "1", sum.recorded_s / sum.rebuild_s, 1)
+      .is_timing = true;
 
   Plot::Line line{set.name, {}, {}};
-  std::vector<double> all;
-  for (const char* name : {"reach begin", "reach end"}) {
-    const auto part = score.error_s.find(name);
-    if (part != score.error_s.end())
-      all.insert(all.end(), part->second.begin(), part->second.end());
-  }
+  const std::vector<double> all = score.reach_errors_s();
   for (int percent = 0; percent <= 98; ++percent) {
     line.x.push_back(1000 * math::quantile(all, percent / 100.0));
     line.y.push_back(percent);

@@ -9,23 +9,21 @@
 namespace morphe::study {
 namespace {
 
-/// Computes the speed of a point over frames as a mean over five values, NaN if one of nine
-/// positions is unknown.
+/// Computes the speed of a point in each frame, NaN if a position that it depends on is unknown.
 std::vector<double> speeds(const std::vector<double>& time, const std::vector<Vec3>& position) {
-  std::vector<double> raw(time.size(), kUnknown), out = raw;
-  for (std::size_t f = 1; f + 1 < time.size(); ++f) {
+  const std::ptrdiff_t count = std::ssize(time);
+  std::vector<double> raw(count, kUnknown), mean = raw;
+  for (int f = 1; f + 1 < count; ++f)
     raw[f] = (position[f + 1] - position[f - 1]).norm() / (time[f + 1] - time[f - 1]);
-  }
-  for (std::size_t f = 2; f + 2 < time.size(); ++f) {
-    out[f] = (raw[f - 2] + raw[f - 1] + raw[f] + raw[f + 1] + raw[f + 2]) / 5;
-  }
-  return out;
+  for (int f = 2; f + 2 < count; ++f)
+    mean[f] = (raw[f - 2] + raw[f - 1] + raw[f] + raw[f + 1] + raw[f + 2]) / 5;
+  return mean;
 }
 
-/// Returns the joint positions at a time by interpolation between samples.
+/// Returns the joint positions at a time, by cubic interpolation between samples.
 JointVector position_at(const Trajectory& t, double time_s) {
-  const auto after = std::upper_bound(t.time.begin(), t.time.end(), time_s);
-  const auto last = static_cast<Eigen::Index>(t.samples()) - 1;
+  const auto after = std::ranges::upper_bound(t.time, time_s);
+  const Eigen::Index last = t.position.rows() - 1;
   const Eigen::Index i = std::clamp<Eigen::Index>(after - t.time.begin() - 1, 0, last - 1);
   const double begin_s = t.time[i];
   const double h = t.time[i + 1] - begin_s;
@@ -40,41 +38,40 @@ JointVector position_at(const Trajectory& t, double time_s) {
 }  // namespace
 
 TimingScore score_timing(const RobotModel& robot, const Goals& goals, const Trajectory& t) {
-  TimingScore out;
-  if (t.samples() < 2 || goals.frames() < 2) return out;
+  TimingScore score;
+  if (t.samples() < 2 || goals.frames() < 2) return score;
   const double human_s = t.demonstration_time.back() - t.demonstration_time.front();
-  out.duration_ratio = t.time.back() / human_s;
-  constexpr std::size_t kHalfWindowSamples =
-      5;  ///< samples on each side over which the pace is computed
-  std::size_t human = 0, all = 0;
-  for (std::size_t i = kHalfWindowSamples; i + kHalfWindowSamples < t.samples(); ++i, ++all) {
-    const double pace = (t.demonstration_time[i + kHalfWindowSamples] -
-                         t.demonstration_time[i - kHalfWindowSamples]) /
-                        (t.time[i + kHalfWindowSamples] - t.time[i - kHalfWindowSamples]);
-    human += std::abs(pace - 1) < 0.03;
+  score.duration_ratio = t.time.back() / human_s;
+  constexpr int kHalfWindow = 5;  // samples on each side over which the speed ratio is computed
+  int at_human_speed = 0, all = 0;
+  for (int i = kHalfWindow; i + kHalfWindow < std::ssize(t.time); ++i, ++all) {
+    const double speed_ratio =
+        (t.demonstration_time[i + kHalfWindow] - t.demonstration_time[i - kHalfWindow]) /
+        (t.time[i + kHalfWindow] - t.time[i - kHalfWindow]);
+    at_human_speed += std::abs(speed_ratio - 1) < 0.03 ? 1 : 0;
   }
-  out.human_speed_share = static_cast<double>(human) / static_cast<double>(all);
+  score.human_speed_share = at_human_speed / static_cast<double>(all);
   std::vector<std::vector<Pose>> frames(goals.frames());
-  for (std::size_t f = 0; f < goals.frames(); ++f) {
+  for (int f = 0; f < std::ssize(frames); ++f)
     robot::forward_kinematics(robot, position_at(t, goals.time[f] - t.demonstration_time.front()),
                               frames[f]);
-  }
-  std::vector<double> ours, theirs;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    std::vector<Vec3> robots, humans;
-    for (std::size_t f = 0; f < goals.frames(); ++f) {
-      robots.push_back(robot::tip_pose(robot, frames[f], tip).translation());
-      humans.push_back(goals.tip_position(f, tip));
+  std::vector<double> robot_speeds, human_speeds;
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
+    std::vector<Vec3> robot_tip, human_tip;
+    for (int f = 0; f < std::ssize(frames); ++f) {
+      robot_tip.push_back(robot::tip_pose(robot, frames[f], tip).translation());
+      human_tip.push_back(goals.tip_position(f, tip));
     }
-    const std::vector<double> a = speeds(goals.time, robots), b = speeds(goals.time, humans);
-    for (std::size_t f = 0; f < a.size(); ++f) {
-      if (!std::isfinite(a[f]) || !std::isfinite(b[f])) continue;
-      ours.push_back(a[f]);
-      theirs.push_back(b[f]);
+    const std::vector<double> robot_speed = speeds(goals.time, robot_tip);
+    const std::vector<double> human_speed = speeds(goals.time, human_tip);
+    for (int f = 0; f < std::ssize(robot_speed); ++f) {
+      if (!std::isfinite(robot_speed[f]) || !std::isfinite(human_speed[f])) continue;
+      robot_speeds.push_back(robot_speed[f]);
+      human_speeds.push_back(human_speed[f]);
     }
   }
-  out.correlation = correlation(ours, theirs);
-  return out;
+  score.correlation = correlation(robot_speeds, human_speeds);
+  return score;
 }
 
 }  // namespace morphe::study

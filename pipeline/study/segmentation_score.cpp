@@ -1,7 +1,5 @@
 #include "pipeline/study/segmentation_score.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,25 +24,23 @@ std::vector<Phases> labelled_movements(const std::vector<Label>& labels) {
 
 Phases phases_of(const Movement& movement) {
   Phases phases;
-  for (const Phase& phase : movement.phases) {
+  for (const Phase& phase : movement.phases)
     phases[phase.kind].push_back({phase.begin_s, phase.end_s});
-  }
   return phases;
 }
 
 double overlap_over_union(const Interval& a, const Interval& b) {
-  const double both = std::min(a.end_s, b.end_s) - std::max(a.begin_s, b.begin_s);
-  const double either = std::max(a.end_s, b.end_s) - std::min(a.begin_s, b.begin_s);
-  return either > 0 ? std::max(0.0, both) / either : 0;
+  const double overlap_s = std::min(a.end_s, b.end_s) - std::max(a.begin_s, b.begin_s);
+  const double union_s = std::max(a.end_s, b.end_s) - std::min(a.begin_s, b.begin_s);
+  return union_s > 0 ? std::max(0.0, overlap_s) / union_s : 0;
 }
 
-void compare(const Phases& labelled, const Phases& found, SegmentationScore& score) {
+void add_boundary_errors(const Phases& labelled, const Phases& found, SegmentationScore& score) {
   for (const auto& [kind, intervals] : labelled) {
     const auto match = found.find(kind);
     const std::string name(name_of(kind));
     if (match == found.end()) continue;
-    const std::size_t both = std::min(intervals.size(), match->second.size());
-    for (std::size_t k = 0; k < both; ++k) {
+    for (int k = 0; k < std::min(std::ssize(intervals), std::ssize(match->second)); ++k) {
       const Interval &a = intervals[k], &b = match->second[k];
       score.error_s[name + " begin"].push_back(std::abs(b.begin_s - a.begin_s));
       score.error_s[name + " end"].push_back(std::abs(b.end_s - a.end_s));
@@ -55,11 +51,21 @@ void compare(const Phases& labelled, const Phases& found, SegmentationScore& sco
 }  // namespace
 
 double SegmentationScore::precision() const {
-  return found == 0 ? 1 : static_cast<double>(matched) / static_cast<double>(found);
+  return found == 0 ? 1 : matched / static_cast<double>(found);
 }
 
 double SegmentationScore::recall() const {
-  return labelled == 0 ? 1 : static_cast<double>(matched) / static_cast<double>(labelled);
+  return labelled == 0 ? 1 : matched / static_cast<double>(labelled);
+}
+
+std::vector<double> SegmentationScore::reach_errors_s() const {
+  std::vector<double> errors;
+  for (const char* name : {"reach begin", "reach end"}) {
+    const auto part = error_s.find(name);
+    if (part == error_s.end()) continue;
+    errors.insert(errors.end(), part->second.begin(), part->second.end());
+  }
+  return errors;
 }
 
 void SegmentationScore::add(const SegmentationScore& other) {
@@ -74,24 +80,23 @@ void SegmentationScore::add(const SegmentationScore& other) {
 
 SegmentationScore score_segmentation(const std::vector<Label>& labels,
                                      const std::vector<Movement>& movements) {
-  const std::vector<Phases> labelled = labelled_movements(labels);
   SegmentationScore score;
-  score.labelled = labelled.size();
-  score.found = movements.size();
-  std::vector<bool> taken(movements.size(), false);
-  for (const Phases& truth : labelled) {
-    for (std::size_t k = 0; k < movements.size(); ++k) {
-      const Phases found = phases_of(movements[k]);
+  std::vector<Phases> unmatched;
+  for (const Movement& movement : movements) {
+    unmatched.push_back(phases_of(movement));
+    ++score.found;
+  }
+  for (const Phases& truth : labelled_movements(labels)) {
+    ++score.labelled;
+    const auto match = std::ranges::find_if(unmatched, [&](const Phases& found) {
       const auto reach = found.find(PhaseKind::reach);
-      if (taken[k] || reach == found.end() ||
-          overlap_over_union(truth.at(PhaseKind::reach).front(), reach->second.front()) <= 0.5) {
-        continue;
-      }
-      taken[k] = true;
-      ++score.matched;
-      compare(truth, found, score);
-      break;
-    }
+      return reach != found.end() &&
+             overlap_over_union(truth.at(PhaseKind::reach).front(), reach->second.front()) > 0.5;
+    });
+    if (match == unmatched.end()) continue;
+    ++score.matched;
+    add_boundary_errors(truth, *match, score);
+    unmatched.erase(match);
   }
   return score;
 }

@@ -56,17 +56,22 @@ config::Schema study_schema(const config::KeyDescriptions& meanings) {
   config::Schema schema{{"type", "object"}, {"required", {"study"}}};
   for (const Entry& entry : kStudies) {
     names.emplace_back(entry.name);
-    const config::Schema is_it{{"properties", {{"study", {{"const", entry.name}}}}}};
-    schema["allOf"].push_back({{"if", is_it}, {"then", entry.schema(meanings, false)}});
+    const config::Schema is_named{{"properties", {{"study", {{"const", entry.name}}}}}};
+    schema["allOf"].push_back({{"if", is_named}, {"then", entry.schema(meanings, false)}});
   }
   schema["properties"]["study"] = config::enum_schema(names);
   return schema;
 }
 
-StudyRow make_row(const Case& of, const std::string& metric, const std::string& unit, double ours,
-                  std::size_t n) {
-  StudyRow row;
-  row.case_values = of;
+Case case_with(Case condition, const std::string& name, const std::string& value) {
+  condition.emplace_back(name, value);
+  return condition;
+}
+
+StudyRow& StudyResult::add(const Case& condition, const std::string& metric,
+                           const std::string& unit, double ours, std::ptrdiff_t n) {
+  StudyRow& row = rows.emplace_back();
+  row.case_values = condition;
   row.metric = metric;
   row.unit = unit;
   row.ours = ours;

@@ -14,24 +14,21 @@
 
 namespace morphe::study {
 
+/// The condition under which a figure was measured, as pairs of name and value in order.
+using Case = std::vector<std::pair<std::string, std::string>>;
+/// Returns a condition with one more pair.
+Case case_with(Case condition, const std::string& name, const std::string& value);
+
 /// One figure of a study: the measured quantity, its case, and the requirement.
 struct StudyRow {
-  /// The case as pairs of name and value, in order.
-  std::vector<std::pair<std::string, std::string>> case_values;
-  /// Unit "1" denotes a dimensionless number.
-  std::string metric, unit;
-  /// The measured value.
-  double ours = kUnknown;
-  /// Value published by others for the same case, NaN if there is none.
-  double published = kUnknown;
-  /// Share of the goals to which the figure refers, NaN for all.
-  double reachable = kUnknown;
-  /// Number of values from which the figure is computed.
-  std::size_t count = 0;
-  /// Required limits, NaN for no requirement.
-  double at_least = kUnknown, at_most = kUnknown;
-  /// True if the value depends on the machine; such rows are printed but never written.
-  bool is_timing = false;
+  Case case_values;
+  std::string metric, unit;     ///< unit "1" denotes a dimensionless number
+  double ours = kUnknown;       ///< the measured value
+  double published = kUnknown;  ///< value of others for the same case, NaN if there is none
+  double reachable = kUnknown;  ///< share of the case's goals that are reachable, NaN if unknown
+  std::ptrdiff_t count = 0;     ///< number of values from which the figure is computed
+  double at_least = kUnknown, at_most = kUnknown;  ///< required limits, NaN (x != x) if not
+  bool is_timing = false;  ///< depends on the machine: the row is printed but never written
 
   /// Returns true if the value is within the required limits and not NaN.
   bool meets_requirement() const {
@@ -41,34 +38,24 @@ struct StudyRow {
   bool has_requirement() const { return at_least == at_least || at_most == at_most; }
 };
 
-/// A case as pairs of name and value.
-using Case = std::vector<std::pair<std::string, std::string>>;
-/// Makes a row without a requirement.
-StudyRow make_row(const Case& of, const std::string& metric, const std::string& unit, double ours,
-                  std::size_t n);
-
 /// The results of a study.
 struct StudyResult {
-  /// The name of the study.
   std::string study;
-  /// The rows, in the order of the tables.
   std::vector<StudyRow> rows;
-  /// Plots with their file names without .svg.
-  std::vector<std::pair<std::string, Plot>> plots;
+  std::vector<std::pair<std::string, Plot>> plots;  ///< plots with their file names without .svg
+
+  /// Adds a row without a requirement and returns it, valid until another row is added.
+  StudyRow& add(const Case& condition, const std::string& metric, const std::string& unit,
+                double ours, std::ptrdiff_t n);
 };
 
 /// The inputs of a run of a study.
 struct StudyRun {
-  /// The path of the config.
   std::filesystem::path config;
-  /// Folder of the results, for files that a study writes while it runs; "" to write no files.
-  std::filesystem::path folder;
-  /// True for the small version that the tests run.
-  bool quick = false;
-  /// The number of threads.
-  int jobs = 1;
-  /// Called with a line about the progress.
-  std::function<void(const std::string&)> progress;
+  std::filesystem::path folder;  ///< for files that a study writes while it runs, or ""
+  bool quick = false;            ///< the small version that the tests run
+  int jobs = 1;                  ///< number of threads
+  std::function<void(const std::string&)> progress;  ///< prints a line, never empty
 };
 
 /// Runs the study that the config's key `study` names. Throws InputError for an invalid config.
@@ -87,13 +74,12 @@ StudyResult paper_study(const config::ConfigNode& config, const StudyRun& run);
 StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run);
 /// Evaluates repair with obstacles in the way of movements.
 StudyResult repair_study(const config::ConfigNode& config, const StudyRun& run);
-/// Evaluates time parametrisation on random paths, in comparison with the minimum time and at the
-/// human's tempo.
+/// Evaluates retiming on random paths, against the minimum time and at the human's tempo.
 StudyResult retime_study(const config::ConfigNode& config, const StudyRun& run);
-/// Evaluates hands alone: tips, pinches and smoothness in comparison with published methods.
+/// Evaluates hands without an arm: tips, pinches and smoothness, ours and of published methods.
 StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run);
-/// Evaluates grasps with contacts as goals, in comparison with the contacts of the person and with
-/// plain fingertip goals. The plans are written to plans/SET-HAND-VARIANT.h5 in the run's folder.
+/// Evaluates grasps with contacts as goals against the contacts of the person and against plain
+/// fingertip goals. The plans are written to plans/SET-HAND-VARIANT.h5 in the run's folder.
 StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe::study

@@ -9,9 +9,7 @@ namespace morphe::study {
 
 /// A variant of a pipeline config, given by settings "a.b=value".
 struct StudyVariant {
-  /// The name of the variant.
   std::string name;
-  /// The settings.
   std::vector<std::string> set;
 };
 /// Maps the keys of the config to the fields.

@@ -9,8 +9,7 @@ namespace {
 
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
-/// Returns the orientation of the hand on a forearm at zero pronation: x opposite to the hinge of
-/// the elbow.
+/// Returns the hand's orientation at zero pronation: x opposite to the hinge of the elbow.
 Quat neutral_hand(const Vec3& upper_arm, const Vec3& forearm) {
   Eigen::Matrix3d axes;
   axes.col(2) = forearm.normalized();
@@ -21,14 +20,14 @@ Quat neutral_hand(const Vec3& upper_arm, const Vec3& forearm) {
 
 InvoluntaryMotion draw_waves(int count, double from_hz, double to_hz, const Vec3& amplitude,
                              math::RandomStream& random) {
-  InvoluntaryMotion unrest;
+  InvoluntaryMotion motion;
   for (int k = 0; k < count; ++k) {
-    InvoluntaryMotion::Wave& wave = unrest.waves.emplace_back();
+    InvoluntaryMotion::Wave& wave = motion.waves.emplace_back();
     wave.amplitude = amplitude;
     wave.frequency_hz = random.uniform(from_hz, to_hz);
     for (double& phase : wave.phase) phase = random.uniform(0, kTwoPi);
   }
-  return unrest;
+  return motion;
 }
 
 }  // namespace
@@ -75,9 +74,7 @@ ArmSample arm_sample(const Subject& subject, const ArmState& state) {
   arm.angles =
       human::fit_arm_angles({shoulder, elbow, wrist, neutral_hand(elbow - shoulder, wrist - elbow)})
           .angles;
-  for (int k = 0; k < 3; ++k) {
-    arm.angles[4 + k] = state[kPronation + k];
-  }
+  for (int k = 0; k < 3; ++k) arm.angles[4 + k] = state[kPronation + k];
   arm.pose = human::arm_pose(shoulder, subject.body.arm, arm.angles);
   return arm;
 }

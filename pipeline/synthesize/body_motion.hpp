@@ -1,17 +1,14 @@
 #pragma once
 
-#include <array>
-
 #include "core/human/arm_angles.hpp"
 #include "pipeline/synthesize/subject.hpp"
 #include "pipeline/synthesize/synthesize_options.hpp"
 
 namespace morphe::synthesize {
 
-/// The size of the state that determines an arm posture: wrist [m], pronation, wrist flexion,
-/// radial deviation, elbow swivel angle [rad], shoulder [m].
 inline constexpr int kArmStateSize = 10;
-/// The state of an arm.
+/// The state that determines an arm posture: wrist [m], pronation, wrist flexion, radial deviation,
+/// elbow swivel angle [rad], shoulder [m].
 using ArmState = Eigen::Matrix<double, kArmStateSize, 1>;
 /// The indices of the components of ArmState.
 enum ArmStateIndex {
@@ -23,18 +20,14 @@ enum ArmStateIndex {
   kShoulderPosition
 };
 
-/// Small involuntary motion: Σ_k a_k sin(2π f_k t + φ_k) for each axis.
+/// A small involuntary motion: Σ_k a_k sin(2π f_k t + φ_k) along each axis, over the waves k.
 struct InvoluntaryMotion {
-  /// A sine wave of the motion.
+  /// A sine wave of one frequency.
   struct Wave {
-    /// Amplitude of each axis [m].
-    Vec3 amplitude = Vec3::Zero();
-    /// The frequency [Hz].
+    Vec3 amplitude = Vec3::Zero();  ///< of each axis [m]
     double frequency_hz = 0;
-    /// The phase of each axis [rad].
-    Vec3 phase = Vec3::Zero();
+    Vec3 phase = Vec3::Zero();  ///< of each axis [rad]
   };
-  /// The waves.
   std::vector<Wave> waves;
   /// Returns the displacement at a time [m].
   Vec3 at(double time_s) const;
@@ -48,23 +41,18 @@ InvoluntaryMotion draw_tremor(const SyntheticBody& options, math::RandomStream& 
 
 /// The motion of the whole body.
 struct BodyMotion {
-  /// The motion of the arm.
   SmoothSteps<kArmStateSize> arm;
-  /// The motion of the fingers.
   SmoothSteps<kHandStateSize> hand;
-  /// The involuntary motions of the wrist.
-  InvoluntaryMotion drift, tremor;
+  InvoluntaryMotion drift, tremor;  ///< of the wrist
 };
 
 /// The arm at one instant.
 struct ArmSample {
-  /// The joint angles [rad].
-  human::ArmAngles angles{};
-  /// The positions and orientations of the segments.
+  human::ArmAngles angles{};  ///< [rad]
   human::ArmPose pose;
 };
-/// Computes the arm of a state. The elbow is at the swivel angle (elbow_from_swivel), the angles
-/// are within human limits, and the pose follows from the angles, so that bones keep their lengths.
+/// Computes the arm of a state. Its angles are within human limits, and its pose follows from them,
+/// so that bones keep their lengths.
 ArmSample arm_sample(const Subject& subject, const ArmState& state);
 /// Returns the state at a time, with the drift but without the tremor.
 ArmState arm_state(const BodyMotion& motion, double time_s);

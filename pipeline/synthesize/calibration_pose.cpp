@@ -14,7 +14,7 @@ std::array<Vec3, 3> knuckles(const RobotModel& hand) {
   robot::forward_kinematics(hand, flat_hand(), hand_from_frame);
   std::array<Vec3, 3> points;
   constexpr const char* kNames[] = {"index_mcp", "middle_mcp", "little_mcp"};
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (int k = 0; k < std::ssize(points); ++k) {
     const auto frame = std::ranges::find(hand.frames, kNames[k], &RobotModel::Frame::name);
     points[k] = hand_from_frame[frame - hand.frames.begin()].translation();
   }
@@ -26,17 +26,14 @@ MarkerStream digitise(const SyntheticSensors& options, const Subject& subject,
   MarkerStream markers;
   markers.names = {"shoulder", "elbow", "wrist", "index_mcp", "middle_mcp", "little_mcp"};
   std::vector<Vec3> points = {pose.shoulder, pose.elbow, pose.wrist};
-  for (const Vec3& knuckle : knuckles(subject.hand)) {
+  for (const Vec3& knuckle : knuckles(subject.hand))
     points.push_back(pose.wrist + pose.world_from_hand * knuckle);
-  }
-  const auto count = static_cast<std::size_t>(options.digitisation_count);
+  const int count = options.digitisation_count;
   markers.position = Array2D<Vec3>(count, points.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < count; ++i) {
-    markers.time.push_back(options.calibration_s * static_cast<double>(i) /
-                           static_cast<double>(count));
-    for (std::size_t k = 0; k < points.size(); ++k) {
+  for (int i = 0; i < count; ++i) {
+    markers.time.push_back(options.calibration_s * i / count);
+    for (int k = 0; k < std::ssize(points); ++k)
       markers.position(i, k) = points[k] + options.digitising_noise * random.normal_vector3();
-    }
   }
   return markers;
 }
@@ -50,7 +47,7 @@ Streams simulate_calibration(const SynthesizeOptions& options, const Subject& su
   straight[kFlexion] = straight[kDeviation] = 0;
   const ArmSample arm = arm_sample(subject, straight);
   const SyntheticSensors& o = options.sensors;
-  const auto count = static_cast<std::size_t>(std::floor(o.calibration_s * o.rate_hz)) + 1;
+  const auto count = std::lround(std::floor(o.calibration_s * o.rate_hz)) + 1;
   Streams calibration;
   calibration.sensors = simulate_sensors(o, mounts, std::vector<ArmSample>(count, arm), random);
   calibration.markers = digitise(o, subject, arm.pose, random);

@@ -6,10 +6,10 @@
 
 namespace morphe::synthesize {
 
-/// Simulates the static recording before the movements: the arm at rest, wrist straight, hand flat.
-/// It contains the sensors with their noise, the glove with its noise and bias, and the digitised
-/// points shoulder, elbow, wrist, index_mcp, middle_mcp, little_mcp as markers, with a row for each
-/// time they were touched.
+/// Simulates the static recording before the movements: the arm in the state `resting` with the
+/// wrist straight and the hand flat. It contains the sensors with their noise, the glove with its
+/// noise and bias, and as markers the digitised points shoulder, elbow, wrist and three knuckles,
+/// one row for each time that they are digitised.
 Streams simulate_calibration(const SynthesizeOptions& options, const Subject& subject,
                              const ArmState& resting, const SensorMounts& mounts,
                              const GloveBias& bias, math::RandomStream& random);

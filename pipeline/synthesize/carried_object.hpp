@@ -5,10 +5,11 @@
 
 namespace morphe::synthesize {
 
-/// Returns the upright cylinder that the first grasp closes on, between thumb and index tip, at the
-/// samples [first, last]. It is stationary except while a hand carries it, when it keeps its pose
-/// relative to the hand.
+/// Returns the cylinder "cup" at the samples first … last, on a clock from 0. At first it stands
+/// upright between the points where thumb and index tip are as the first grasp attaches it. It is
+/// fixed to the hand while a movement carries it, and rests otherwise; without a grasp its centre
+/// is the origin.
 SceneObject carried_object(const Script& script, const MotionSamples& samples, double height_m,
-                           std::size_t first, std::size_t last);
+                           std::ptrdiff_t first, std::ptrdiff_t last);
 
 }  // namespace morphe::synthesize

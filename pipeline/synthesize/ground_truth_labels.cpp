@@ -12,36 +12,32 @@ struct Span {
   double begin_s = 0, end_s = 0, peak_s = 0;
 };
 
-/// Returns the instant in (i - 1, i) at which a linearly interpolated signal crosses a level.
-double crossing_time(const MotionSamples& samples, const std::vector<double>& signal, std::size_t i,
-                     double level) {
+/// Returns the time between samples i - 1 and i at which a signal, linear there, crosses a level.
+double crossing_time(const MotionSamples& samples, const std::vector<double>& signal,
+                     std::ptrdiff_t i, double level) {
   const double share = (level - signal[i - 1]) / (signal[i] - signal[i - 1]);
   return samples.time(i - 1) + share / samples.rate_hz;
 }
 
 std::vector<double> index_speed(const MotionSamples& samples) {
-  const std::size_t n = samples.size();
-  std::vector<double> speed(n, 0);
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    speed[i] = (samples.index_without_tremor[i + 1] - samples.index_without_tremor[i - 1]).norm() *
-               0.5 * samples.rate_hz;
-  }
+  const std::vector<Vec3>& tip = samples.index_without_tremor;
+  std::vector<double> speed(samples.size(), 0);
+  for (int i = 1; i + 1 < samples.size(); ++i)
+    speed[i] = (tip[i + 1] - tip[i - 1]).norm() * 0.5 * samples.rate_hz;
   return speed;
 }
 
-std::size_t sample_at(const MotionSamples& samples, double time_s) {
-  return std::min(static_cast<std::size_t>(std::lround(time_s * samples.rate_hz)),
-                  samples.size() - 1);
+std::ptrdiff_t sample_at(const MotionSamples& samples, double time_s) {
+  return std::min(std::lround(time_s * samples.rate_hz), samples.size() - 1);
 }
 
-/// Returns the interval within samples [first, last] in which the speed is above 5 % of its
-/// maximum.
-Span span_of(const MotionSamples& samples, const std::vector<double>& speed, std::size_t first,
-             std::size_t last) {
+/// Returns the interval within samples [first, last] in which the speed is above 5 % of its peak.
+Span span_of(const MotionSamples& samples, const std::vector<double>& speed, std::ptrdiff_t first,
+             std::ptrdiff_t last) {
   const auto begin = speed.begin();
   const auto peak = std::max_element(begin + first, begin + last + 1);
   const double level = kBoundarySpeedShare * *peak;
-  std::size_t i = first, k = last;
+  std::ptrdiff_t i = first, k = last;
   while (speed[i] < level) ++i;
   while (speed[k] < level) --k;
   return {i > first ? crossing_time(samples, speed, i, level) : samples.time(i),
@@ -49,20 +45,19 @@ Span span_of(const MotionSamples& samples, const std::vector<double>& speed, std
           samples.time(peak - begin)};
 }
 
-/// Returns one interval for each segment of motion of each movement, in order.
+/// Returns the interval of each scripted phase of all movements, in order.
 std::vector<Span> spans_of(const Script& script, const MotionSamples& samples) {
   const std::vector<double> speed = index_speed(samples);
-  std::vector<ScriptedPhase> bouts;
-  for (const ScriptedMovement& movement : script.movements) {
-    bouts.insert(bouts.end(), movement.phases.begin(), movement.phases.end());
-  }
+  std::vector<ScriptedPhase> phases;
+  for (const ScriptedMovement& movement : script.movements)
+    phases.insert(phases.end(), movement.phases.begin(), movement.phases.end());
   std::vector<Span> spans;
-  std::size_t first = 0;
-  for (std::size_t b = 0; b < bouts.size(); ++b) {
-    std::size_t last = samples.size() - 1;
-    if (b + 1 < bouts.size()) {
-      const auto from = speed.begin() + sample_at(samples, bouts[b].end_s);
-      const auto to = speed.begin() + sample_at(samples, bouts[b + 1].begin_s);
+  std::ptrdiff_t first = 0;
+  for (int k = 0; k < std::ssize(phases); ++k) {
+    std::ptrdiff_t last = samples.size() - 1;
+    if (k + 1 < std::ssize(phases)) {
+      const auto from = speed.begin() + sample_at(samples, phases[k].end_s);
+      const auto to = speed.begin() + sample_at(samples, phases[k + 1].begin_s);
       last = std::min_element(from, to + 1) - speed.begin();
     }
     spans.push_back(span_of(samples, speed, first, last));
@@ -72,12 +67,12 @@ std::vector<Span> spans_of(const Script& script, const MotionSamples& samples) {
 }
 
 double preshape_begin(const MotionSamples& samples, const Span& reach) {
-  const std::size_t first = sample_at(samples, reach.begin_s);
-  const std::size_t last = sample_at(samples, reach.end_s);
+  const std::ptrdiff_t first = sample_at(samples, reach.begin_s);
+  const std::ptrdiff_t last = sample_at(samples, reach.end_s);
   const std::vector<double>& opening = samples.aperture;
   const double widest = *std::max_element(opening.begin() + first, opening.begin() + last + 1);
   const double level = opening[first] + kPreshapeApertureShare * (widest - opening[first]);
-  std::size_t i = first;
+  std::ptrdiff_t i = first;
   while (opening[i] < level) ++i;
   return i > first ? crossing_time(samples, opening, i, level) : reach.begin_s;
 }
@@ -102,7 +97,7 @@ class Labels {
 std::vector<Label> ground_truth_labels(const Script& script, const MotionSamples& samples) {
   const std::vector<Span> spans = spans_of(script, samples);
   Labels out(script.begin_s, script.end_s);
-  std::size_t next = 0;
+  std::ptrdiff_t next = 0;
   for (const ScriptedMovement& movement : script.movements) {
     const Span& reach = spans[next];
     if (out.contains(reach.peak_s)) {
@@ -111,14 +106,13 @@ std::vector<Label> ground_truth_labels(const Script& script, const MotionSamples
         out.add(PhaseKind::preshape, preshape_begin(samples, reach), reach.end_s);
     }
     PhaseKind pause = movement.grasps ? PhaseKind::grasp : PhaseKind::hold;
-    for (std::size_t b = 1; b < movement.phases.size(); ++b) {
-      const Span& before = spans[next + b - 1];
-      const Span& bout = spans[next + b];
-      out.add(pause, before.end_s, bout.begin_s);
-      out.add(movement.phases[b].phase, bout.begin_s, bout.end_s);
+    for (int k = 1; k < std::ssize(movement.phases); ++k) {
+      const Span &before = spans[next + k - 1], &span = spans[next + k];
+      out.add(pause, before.end_s, span.begin_s);
+      out.add(movement.phases[k].phase, span.begin_s, span.end_s);
       pause = PhaseKind::hold;
     }
-    next += movement.phases.size();
+    next += std::ssize(movement.phases);
   }
   return std::move(out.labels);
 }

@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::size_t kMiddleAbduction = 8;
 
-/// The resting posture: kHandAngleNames, palm_arch.
+/// Typical postures: kHandAngleNames, palm_arch.
 constexpr double kRestingAngles_rad[] = {0.35, 0.1,  0.2,  0.25, 0,    0.35, 0.5,
                                          0.2,  0,    0.45, 0.55, 0.25, 0,    0.5,
                                          0.6,  0.25, 0,    0.5,  0.55, 0.25, 0.05};
@@ -20,8 +20,7 @@ constexpr double kClosedAngles_rad[] = {1.2,  0.25, 0.2,   0.25, 0.07, 0.55,  0.
 constexpr double kPointingAngles_rad[] = {0.5, 0.1, 0.3, 0.35, 0,   0.15, 0.2, 0.1,  0,   0.7, 0.9,
                                           0.4, 0,   0.8, 0.95, 0.4, 0,    0.8, 0.95, 0.4, 0.08};
 
-HandState personalise_posture(const double* typical, const HandState& personal,
-                              const RobotModel& hand) {
+HandState personalise(const double* typical, const HandState& personal, const RobotModel& hand) {
   HandState state = Eigen::Map<const HandState>(typical) + personal;
   state = state.cwiseMax(hand.lower).cwiseMin(hand.upper);
   state[kMiddleAbduction] = 0;
@@ -43,10 +42,10 @@ HandPostures draw_hand_postures(const RobotModel& hand, math::RandomStream& rand
   constexpr double kSubjectSd_rad = 0.05;
   HandState personal;
   for (double& joint : personal) joint = kSubjectSd_rad * random.normal();
-  return {personalise_posture(kRestingAngles_rad, personal, hand),
-          personalise_posture(kOpenAngles_rad, personal, hand),
-          personalise_posture(kClosedAngles_rad, personal, hand),
-          personalise_posture(kPointingAngles_rad, personal, hand)};
+  return {personalise(kRestingAngles_rad, personal, hand),
+          personalise(kOpenAngles_rad, personal, hand),
+          personalise(kClosedAngles_rad, personal, hand),
+          personalise(kPointingAngles_rad, personal, hand)};
 }
 
 double aperture(const RobotModel& hand, const HandState& state) {
@@ -57,16 +56,16 @@ double aperture(const RobotModel& hand, const HandState& state) {
 
 HandState posture_of_aperture(const RobotModel& hand, const HandPostures& postures,
                               double aperture_m) {
-  const auto at = [&](double closure) -> HandState {
+  const auto posture_at = [&](double closure) -> HandState {
     return postures.open + closure * (postures.closed - postures.open);
   };
   constexpr int kMaxBisections = 24;
   double wider = 0, narrower = 1;
   for (int k = 0; k < kMaxBisections; ++k) {
     const double middle = 0.5 * (wider + narrower);
-    (aperture(hand, at(middle)) > aperture_m ? wider : narrower) = middle;
+    (aperture(hand, posture_at(middle)) > aperture_m ? wider : narrower) = middle;
   }
-  return at(0.5 * (wider + narrower));
+  return posture_at(0.5 * (wider + narrower));
 }
 
 }  // namespace morphe::synthesize

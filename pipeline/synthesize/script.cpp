@@ -14,54 +14,47 @@ MovementKind draw_kind(const KindWeights& w, math::RandomStream& random) {
                             w.two_peaks,    w.pause_before_grasp, w.no_grasp};
   double sum = 0;
   for (const double weight : weights) sum += weight;
-  double left = sum * random.uniform();
+  double remainder = sum * random.uniform();
   int last = 0;  // rounding must not select a kind of weight 0
   for (int k = 0; k < 7; ++k) {
     if (weights[k] == 0) continue;
     last = k;
-    left -= weights[k];
-    if (left < 0) break;
+    remainder -= weights[k];
+    if (remainder < 0) break;
   }
   return static_cast<MovementKind>(last);
 }
 
-/// Draws the speed profile of a kind.
 SpeedProfile draw_profile(MovementKind kind, double begin_s, double duration_s,
                           math::RandomStream& random) {
   const double sigma = random.uniform(0.2, 0.35), peak = random.uniform(0.3, 0.45);
-  if (kind == MovementKind::lognormal) {
+  if (kind == MovementKind::lognormal)
     return {SpeedProfileShape::lognormal, begin_s, duration_s, sigma};
-  }
   if (kind == MovementKind::asymmetric) return {SpeedProfileShape::beta, begin_s, duration_s, peak};
   return {SpeedProfileShape::minimum_jerk, begin_s, duration_s, 0};
 }
 
-/// Draws a direction perpendicular to a path, between its side and up.
-Vec3 random_perpendicular(const Vec3& way, math::RandomStream& random) {
-  const Vec3 along = way.normalized();
-  const Vec3 aside = along.cross(Vec3::UnitZ()).normalized();
-  const double turn = random.uniform(0, std::numbers::pi);
-  return std::cos(turn) * aside + std::sin(turn) * aside.cross(along);
+/// Draws a unit vector perpendicular to a path, to its right, its left or upwards.
+Vec3 random_perpendicular(const Vec3& path, math::RandomStream& random) {
+  const Vec3 along = path.normalized();
+  const Vec3 side = along.cross(Vec3::UnitZ()).normalized();
+  const double angle = random.uniform(0, std::numbers::pi);
+  return std::cos(angle) * side + std::sin(angle) * side.cross(along);
 }
 
-/// Returns true if no angle of the arm is near a limit, at which it would have to stop abruptly.
+/// Returns true if no angle of the arm comes near a limit, at which it would have to stop abruptly.
 bool within_human_limits(const Script& script, const Subject& subject) {
   constexpr double kStep_s = 0.02, kLimitMargin_rad = 0.05;
   const human::ArmLimits& limits = human::human_arm_limits();
   for (double t = 0; t < script.length_s; t += kStep_s) {
     const human::ArmAngles angles = arm_sample(subject, arm_state(script.motion, t)).angles;
-    for (std::size_t k = 0; k < kArmAngleCount; ++k) {
+    for (int k = 0; k < std::ssize(angles); ++k)
       if (angles[k] < limits.lower[k] + kLimitMargin_rad ||
-          angles[k] > limits.upper[k] - kLimitMargin_rad) {
+          angles[k] > limits.upper[k] - kLimitMargin_rad)
         return false;
-      }
-    }
   }
   return true;
 }
-
-/// A generator that draws a recording movement by movement; `now_s_` is the current end of the
-/// script.
 class ScriptGenerator {
  public:
   ScriptGenerator(const SynthesizeOptions& options, const Subject& subject,
@@ -78,9 +71,9 @@ class ScriptGenerator {
     arm_ = home_;
     target_ = places_.draw_target(home_);
     const double widest = aperture(subject.hand, subject.postures.open);
-    const double fits =
+    const double max_radius =
         0.5 * (widest - options.hand.peak_aperture_excess[0]) - options.hand.pad_depth;
-    script_.object_radius = std::min(random.uniform(options.object.radius), fits);
+    script_.object_radius = std::min(random.uniform(options.object.radius), max_radius);
   }
 
   Script write() {
@@ -92,14 +85,13 @@ class ScriptGenerator {
     }
     script_.begin_s = 0;
     script_.end_s = script_.length_s = now_s_;
-    const auto within = [&](const ScriptedMovement& movement) {
+    const auto draw_s = [&](const ScriptedMovement& movement) {
       return random_.uniform(movement.phases.front().begin_s, movement.phases.back().end_s);
     };
     if (random_.bernoulli(m_.truncated_start_share))
-      script_.begin_s = within(script_.movements.front());
-    if (random_.bernoulli(m_.truncated_end_share)) {
-      script_.end_s = std::max(within(script_.movements.back()), script_.begin_s + kMinRecording_s);
-    }
+      script_.begin_s = draw_s(script_.movements.front());
+    if (random_.bernoulli(m_.truncated_end_share))
+      script_.end_s = std::max(draw_s(script_.movements.back()), script_.begin_s + kMinRecording_s);
     return std::move(script_);
   }
 
@@ -124,29 +116,29 @@ class ScriptGenerator {
     const double begin_s = now_s_;
     double duration_s = random_.uniform(m_.reach_s), opening_s = duration_s, closing_s = 0;
     const double peak_aperture_time = random_.uniform(o_.hand.peak_aperture_time);
-    const ArmState way = target - arm_;
+    const ArmState delta = target - arm_;
     if (movement.kind == MovementKind::two_peaks) {
       const double first_s = random_.uniform(0.62, 0.72) * duration_s;
       const double second_s = begin_s + random_.uniform(0.5, 0.6) * duration_s;
-      ArmState first = random_.uniform(0.75, 0.9) * way;
+      ArmState first = random_.uniform(0.75, 0.9) * delta;
       first.segment<3>(kWristPosition) +=
           random_.uniform(0.005, 0.02) *
-          random_perpendicular(way.segment<3>(kWristPosition), random_);
+          random_perpendicular(delta.segment<3>(kWristPosition), random_);
       move_arm({SpeedProfileShape::minimum_jerk, begin_s, first_s, 0}, first, 0);
       move_arm({SpeedProfileShape::minimum_jerk, second_s, begin_s + duration_s - second_s, 0},
-               way - first, 0);
+               delta - first, 0);
     } else if (movement.kind == MovementKind::pause_before_grasp) {
       const double pause_s = random_.uniform(m_.pause_s), last_s = random_.uniform(0.3, 0.45);
-      const ArmState first = random_.uniform(0.85, 0.95) * way;
-      move_arm({SpeedProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, detour());
+      const ArmState first = random_.uniform(0.85, 0.95) * delta;
+      move_arm({SpeedProfileShape::minimum_jerk, begin_s, duration_s, 0}, first, draw_detour_m());
       opening_s = duration_s;
       closing_s = begin_s + duration_s + pause_s;
       duration_s += pause_s + last_s;
-      move_arm({SpeedProfileShape::minimum_jerk, closing_s, last_s, 0}, way - first, 0);
+      move_arm({SpeedProfileShape::minimum_jerk, closing_s, last_s, 0}, delta - first, 0);
     } else {
       const double aside =
-          movement.kind == MovementKind::curved ? random_.uniform(0.05, 0.12) : detour();
-      move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), way, aside);
+          movement.kind == MovementKind::curved ? random_.uniform(0.05, 0.12) : draw_detour_m();
+      move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), delta, aside);
     }
     now_s_ = begin_s + duration_s;
     movement.phases.push_back({PhaseKind::reach, begin_s, now_s_});
@@ -158,13 +150,14 @@ class ScriptGenerator {
     }
   }
 
-  /// Opens the hand, and closes it on the object when the arm has arrived.
+  /// Opens the hand until `widest_s`, and closes it on the object from `closing_s` until the arm
+  /// has arrived at now_s_; both ends are late by the same lag.
   void shape_hand(double begin_s, double widest_s, double closing_s) {
     const double grasp_m = 2 * (script_.object_radius + o_.hand.pad_depth);
-    const double wide_m = std::max(grasp_m + random_.uniform(o_.hand.peak_aperture_excess),
+    const double peak_m = std::max(grasp_m + random_.uniform(o_.hand.peak_aperture_excess),
                                    aperture(subject_.hand, hand_) + o_.hand.min_aperture_increase);
     const double lag_s = random_.uniform(0, 0.05);
-    move_hand(begin_s + lag_s, widest_s, posture(wide_m));
+    move_hand(begin_s + lag_s, widest_s, posture(peak_m));
     move_hand(closing_s, now_s_ + lag_s, posture(grasp_m));
   }
 
@@ -187,7 +180,8 @@ class ScriptGenerator {
     now_s_ += random_.uniform(m_.hold_s);
   }
 
-  /// Adds the return. The arm starts at `begin_s`; the hand may have started the release at now_s_.
+  /// Adds the return, which begins at now_s_ with the release by the fingers; the arm sets out at
+  /// `begin_s`.
   void write_return(ScriptedMovement& movement, double begin_s) {
     const double release_s = now_s_, duration_s = random_.uniform(m_.return_s);
     add_phase(movement, PhaseKind::return_phase, begin_s, duration_s,
@@ -198,12 +192,12 @@ class ScriptGenerator {
 
   void add_phase(ScriptedMovement& movement, PhaseKind phase, double begin_s, double duration_s,
                  const ArmState& to) {
-    move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, detour());
+    move_arm(draw_profile(movement.kind, begin_s, duration_s, random_), to - arm_, draw_detour_m());
     now_s_ = begin_s + duration_s;
     movement.phases.push_back({phase, begin_s, now_s_});
   }
 
-  double detour() { return random_.uniform(0, 0.02); }
+  double draw_detour_m() { return random_.uniform(0, 0.02); }
 
   void move_arm(const SpeedProfile& profile, const ArmState& delta, double detour_m) {
     ArmState aside = ArmState::Zero();
@@ -224,14 +218,15 @@ class ScriptGenerator {
   }
 
   const SynthesizeOptions& o_;
-  const SyntheticMovements& m_;
+  const SyntheticMovements& m_;  ///< o_.movements
   const Subject& subject_;
   math::RandomStream& random_;
   WaypointSampler places_;
   Script script_;
-  ArmState home_, target_, arm_;
-  HandState hand_;
-  double now_s_ = 0;
+  ArmState home_, target_;  ///< at rest, and at the object
+  ArmState arm_;            ///< at the end of the script so far
+  HandState hand_;          ///< at the end of the script so far
+  double now_s_ = 0;        ///< end of the script so far
 };
 
 }  // namespace
@@ -240,9 +235,8 @@ Script draw_script(const SynthesizeOptions& options, const Subject& subject,
                    math::RandomStream& random) {
   constexpr int kMaxTries = 100;
   Script script = ScriptGenerator(options, subject, random).write();
-  for (int k = 1; k < kMaxTries && !within_human_limits(script, subject); ++k) {
+  for (int k = 1; k < kMaxTries && !within_human_limits(script, subject); ++k)
     script = ScriptGenerator(options, subject, random).write();
-  }
   return script;
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <array>
+#include <string_view>
+
+#include "core/motion/enum_names.hpp"
 #include "core/motion/movement.hpp"
 #include "pipeline/synthesize/body_motion.hpp"
 #include "pipeline/synthesize/synthesize_options.hpp"
@@ -16,46 +20,34 @@ enum class MovementKind {
   pause_before_grasp,
   no_grasp
 };
-/// The names of the kinds, in the order of MovementKind.
-inline constexpr const char* kMovementKindNames[] = {
-    "minimum_jerk", "lognormal",          "asymmetric", "curved",
-    "two_peaks",    "pause_before_grasp", "no_grasp"};
+constexpr std::array<std::string_view, 7> names_of(MovementKind) {
+  return {"minimum_jerk", "lognormal",          "asymmetric", "curved",
+          "two_peaks",    "pause_before_grasp", "no_grasp"};
+}
 
-/// A scripted phase that begins and ends at rest. Its times are the scripted ones; the labels
-/// contain the actual ones.
+/// A motion of the script from rest to rest. Its measured times are in ground_truth_labels().
 struct ScriptedPhase {
-  /// Reach, transport or return_phase.
-  PhaseKind phase = PhaseKind::reach;
-  /// The scripted times [s].
+  PhaseKind phase = PhaseKind::reach;  ///< reach, transport or return_phase
   double begin_s = 0, end_s = 0;
 };
 /// A scripted movement.
 struct ScriptedMovement {
-  /// The kind of the movement.
   MovementKind kind = MovementKind::minimum_jerk;
-  /// True if the movement grasps an object.
   bool grasps = true;
-  /// The phases, in order of time.
-  std::vector<ScriptedPhase> phases;
-  /// Interval during which the hand carries the object [s].
-  double attach_s = 0, release_s = 0;
+  std::vector<ScriptedPhase> phases;   ///< in order of time
+  double attach_s = 0, release_s = 0;  ///< between them the hand carries the object, if it grasps
 };
 
 /// The content of one recording.
 struct Script {
-  /// The motion of the body.
   BodyMotion motion;
-  /// The movements, in order of time.
-  std::vector<ScriptedMovement> movements;
-  /// Duration from rest to rest [s].
-  double length_s = 0;
-  /// Recorded interval of the script [s].
-  double begin_s = 0, end_s = 0;
-  /// Radius of the grasped object [m].
-  double object_radius = 0;
+  std::vector<ScriptedMovement> movements;  ///< in order of time
+  double length_s = 0;                      ///< its duration from 0, with a rest at both ends
+  double begin_s = 0, end_s = 0;            ///< recorded interval
+  double object_radius = 0;                 ///< [m]
 };
-/// Draws a script. It is drawn again, at most 100 times, while an angle of the arm is within 0.05
-/// rad of its human limit.
+/// Draws a script. If an arm angle comes near its human limit in it, the script is drawn again; the
+/// hundredth is returned in any case.
 Script draw_script(const SynthesizeOptions& options, const Subject& subject,
                    math::RandomStream& random);
 

@@ -7,27 +7,24 @@
 
 namespace morphe::synthesize {
 
-/// The parameters of a sensor's noise with a given rms: a white component and a slow one
-/// (Ornstein-Uhlenbeck), which has the share `slow_share` of the variance and is stationary from
-/// the start.
+/// A sensor's noise: a slow component (stationary Ornstein-Uhlenbeck), which has
+/// `correlated_noise_share` of the variance, and white noise.
 struct NoiseModel {
-  /// The share and the time constant [s] of the slow component, and the sample rate [Hz].
   double correlated_noise_share = 0.5, correlation_time_s = 1, rate_hz = 240;
 };
 /// A generator of noise for N channels of one sensor.
 template <int N>
 class SensorNoise {
  public:
-  /// The noise of all channels.
   using Value = Eigen::Matrix<double, N, 1>;
-  /// Starts the generator in the stationary state.
-  SensorNoise(const NoiseModel& law, double rms, math::RandomStream& random)
-      : decay_(std::exp(-1 / (law.correlation_time_s * law.rate_hz))),
-        innovation_(rms * std::sqrt(law.correlated_noise_share * (1 - decay_ * decay_))),
-        white_(rms * std::sqrt(1 - law.correlated_noise_share)),
+  /// Starts the generator in the stationary state. `random` must outlive it.
+  SensorNoise(const NoiseModel& model, double rms, math::RandomStream& random)
+      : decay_(std::exp(-1 / (model.correlation_time_s * model.rate_hz))),
+        innovation_(rms * std::sqrt(model.correlated_noise_share * (1 - decay_ * decay_))),
+        white_(rms * std::sqrt(1 - model.correlated_noise_share)),
         random_(random) {
     for (double& value : correlated_)
-      value = rms * std::sqrt(law.correlated_noise_share) * random_.normal();
+      value = rms * std::sqrt(model.correlated_noise_share) * random_.normal();
   }
   /// Draws the noise of the next sample.
   Value next() {
@@ -45,9 +42,9 @@ class SensorNoise {
   Value correlated_;
 };
 
-/// Draws lost samples [count]: bursts with lengths drawn from `burst_s`; the time between them is
-/// exponentially distributed with the mean for which `share` of the time is lost on average.
-std::vector<bool> draw_dropouts(std::size_t count, double rate_hz, double share,
+/// Returns [count] flags, true for lost samples. Samples are lost in bursts with a duration in
+/// `burst_s` and exponentially distributed times between them; on average `share` of all is lost.
+std::vector<bool> draw_dropouts(std::ptrdiff_t count, double rate_hz, double share,
                                 const UniformRange& burst_s, math::RandomStream& random);
 
 }  // namespace morphe::synthesize

@@ -7,25 +7,19 @@
 
 namespace morphe::synthesize {
 
-/// A quantity that moves in steps: q(t) = start + Σ_k (delta_k s_k(t) + detour_k b(s_k)), b(s) = 64
-/// s³ (1 - s)³, which is 1 halfway. Steps may overlap. The function is twice continuously
-/// differentiable.
+/// A quantity that moves in steps k, which may overlap, with path shares s_k from 0 to 1:
+///   q(t) = start + Σ_k (delta_k s_k(t) + detour_k b(s_k(t))),  b(s) = 64 s³ (1 - s)³,  b(½) = 1
+/// It is twice continuously differentiable if the s_k are.
 template <int N>
 struct SmoothSteps {
-  /// The type of the quantity.
   using Value = Eigen::Matrix<double, N, 1>;
   /// A step of the quantity.
   struct Step {
-    /// The progress s_k over time.
-    SpeedProfile profile;
-    /// The total change.
+    SpeedProfile profile;  ///< s_k
     Value delta = Value::Zero();
-    /// The deviation halfway.
-    Value detour = Value::Zero();
+    Value detour = Value::Zero();  ///< displacement halfway, in addition to half of delta
   };
-  /// The value before the first step.
-  Value start = Value::Zero();
-  /// The steps.
+  Value start = Value::Zero();  ///< before the first step
   std::vector<Step> steps;
 
   /// Returns the value at a time.
@@ -38,8 +32,8 @@ struct SmoothSteps {
         value += step.delta;
         continue;
       }
-      const double aside = 4 * s * (1 - s);
-      value += s * step.delta + aside * aside * aside * step.detour;
+      const double bump = 4 * s * (1 - s);
+      value += s * step.delta + bump * bump * bump * step.detour;
     }
     return value;
   }

@@ -7,18 +7,18 @@
 namespace morphe::synthesize {
 namespace {
 
-/// Returns the share of a lognormal profile. With y = ln t - μ, the speed f(t) is exp(-(y + σ²)² /
-/// (2 σ²)) of its peak; it is 5 % at y + σ² = ± σ sqrt(2 ln 20).
+/// Returns the path share of a lognormal profile. With y = ln(t - t₀) - μ, the speed over its peak
+/// is exp(-(y + σ²)² / (2 σ²)), which is 5 % at y + σ² = ± σ sqrt(2 ln 20).
 double lognormal(const SpeedProfile& p, double time_s) {
-  constexpr double kTail = 5;  // in standard deviations
+  constexpr double kTailDeviate = 5;  // at which head and tail are cut
   const double sigma = p.parameter;
-  const double aside = sigma * std::sqrt(2 * std::log(20.0));
-  const double mode_s = p.duration_s / (std::exp(aside) - std::exp(-aside));
-  const double since_s = time_s - p.begin_s + mode_s * std::exp(-aside);
+  const double half_log_width = sigma * std::sqrt(2 * std::log(20.0));
+  const double mode_s = p.duration_s / (std::exp(half_log_width) - std::exp(-half_log_width));
+  const double since_s = time_s - p.begin_s + mode_s * std::exp(-half_log_width);
   if (since_s <= 0) return 0;
   const double deviate = (std::log(since_s / mode_s) - sigma * sigma) / sigma;
-  if (deviate < -kTail) return 0;
-  if (deviate > kTail) return 1;
+  if (deviate < -kTailDeviate) return 0;
+  if (deviate > kTailDeviate) return 1;
   return 0.5 * std::erfc(-deviate / std::numbers::sqrt2);
 }
 
@@ -27,6 +27,7 @@ double beta_integral(double u, double m) {
   return std::pow(u, m + 1) * (1 / (m + 1) - u * (3 / (m + 2) - u * (3 / (m + 3) - u / (m + 4))));
 }
 
+/// Returns the path share of a beta profile with its peak at τ = `peak`.
 double beta(double tau, double peak) {
   const double m = 3 * (1 - peak) / peak;
   return 1 - beta_integral(1 - tau, m) / beta_integral(1, m);

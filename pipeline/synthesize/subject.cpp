@@ -7,11 +7,11 @@
 namespace morphe::synthesize {
 namespace {
 
-constexpr double kMaxDeviations = 4;
+constexpr double kMaxDeviate = 4;
 
 /// Returns z with Φ(z) = percentile / 100.
 double normal_quantile(double percentile) {
-  double low = -kMaxDeviations, high = kMaxDeviations;
+  double low = -kMaxDeviate, high = kMaxDeviate;
   for (int halving = 0; halving < 40; ++halving) {
     const double z = 0.5 * (low + high);
     (50 * std::erfc(-z / std::numbers::sqrt2) < percentile ? low : high) = z;
@@ -21,24 +21,21 @@ double normal_quantile(double percentile) {
 
 }  // namespace
 
-Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random) {
-  const human::Sex sex =
-      random.bernoulli(options.male_share) ? human::Sex::male : human::Sex::female;
-  const double least = normal_quantile(options.percentiles[0]);
-  const double greatest = normal_quantile(options.percentiles[1]);
+Subject draw_subject(const SyntheticSubject& o, math::RandomStream& random) {
+  const human::Sex sex = random.bernoulli(o.male_share) ? human::Sex::male : human::Sex::female;
+  const double min_deviate = normal_quantile(o.percentiles[0]);
+  const double max_deviate = normal_quantile(o.percentiles[1]);
   std::array<double, 5> deviates{};
-  for (double& z : deviates) z = normal_quantile(random.uniform(options.percentiles));
-  for (std::size_t k = 1; k < deviates.size(); ++k) {
-    deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], least, greatest);
-  }
+  for (double& z : deviates) z = normal_quantile(random.uniform(o.percentiles));
+  for (int k = 1; k < std::ssize(deviates); ++k)
+    deviates[k] = std::clamp(0.8 * deviates[0] + 0.6 * deviates[k], min_deviate, max_deviate);
   Subject subject;
   subject.body = human::anthropometry(sex, deviates);
   subject.hand = human::human_hand(subject.body.hand);
   subject.postures = draw_hand_postures(subject.hand, random);
-  constexpr double kShoulderHalfBreadthShare =
-      0.1;  // distance of the shoulder joint from the middle, as a share of stature
+  constexpr double kShoulderHalfBreadthShare = 0.1;  // of stature, from the middle to the joint
   subject.shoulder = {kShoulderHalfBreadthShare * subject.body.stature_m,
-                      random.uniform(-0.18, -0.08), random.uniform(options.shoulder_height)};
+                      random.uniform(-0.18, -0.08), random.uniform(o.shoulder_height)};
   return subject;
 }
 

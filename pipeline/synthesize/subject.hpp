@@ -8,17 +8,13 @@ namespace morphe::synthesize {
 
 /// A person at a table (top z = 0, origin at its near edge in front of the middle of the body).
 struct Subject {
-  /// The measures of the body.
   human::Anthropometry body;
-  /// human_hand() of the person.
-  RobotModel hand;
-  /// The postures of the hand.
+  RobotModel hand;  ///< human_hand()
   HandPostures postures;
-  /// The position of the shoulder [m].
-  Vec3 shoulder = Vec3::Zero();
+  Vec3 shoulder = Vec3::Zero();  ///< at rest [m]
 };
-/// Draws a subject. Measures are correlated with stature: z = 0.8 z_stature + 0.6 of an independent
-/// value.
+/// Draws a subject. Its other measures have the standard scores z = 0.8 z_stature + 0.6 z_own,
+/// within the percentiles of the options.
 Subject draw_subject(const SyntheticSubject& options, math::RandomStream& random);
 
 }  // namespace morphe::synthesize

@@ -11,15 +11,14 @@
 
 namespace morphe::synthesize {
 namespace {
-
-/// The samples [first, last] of the script that are recorded.
+/// The samples of a script that are recorded, from first to last.
 struct SampleRange {
-  std::size_t first = 0, last = 0;
-  std::size_t count() const { return last - first + 1; }
+  std::ptrdiff_t first = 0, last = 0;
+  std::ptrdiff_t count() const { return last - first + 1; }
 };
 
 Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& part) {
-  constexpr auto kArm = static_cast<Eigen::Index>(kArmAngleCount);
+  constexpr int kArm = kArmAngleCount;
   Streams streams;
   BodyStream& joints = streams.sensors.emplace();
   joints.names = {"shoulder", "elbow", "wrist"};
@@ -33,8 +32,8 @@ Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& pa
   HandStream& hand = streams.hand.emplace();
   hand.kind = HandKind::fingertips;
   hand.position = Array2D<Vec3>(part.count(), kFingerCount, Vec3::Zero());
-  for (std::size_t i = 0; i < part.count(); ++i) {
-    const std::size_t k = part.first + i;
+  for (int i = 0; i < part.count(); ++i) {
+    const std::ptrdiff_t k = part.first + i;
     const human::ArmPose& pose = samples.arm[k].pose;
     joints.time.push_back(samples.time(i));
     joints.position(i, 0) = pose.shoulder;
@@ -42,19 +41,17 @@ Streams ground_truth_streams(const MotionSamples& samples, const SampleRange& pa
     joints.position(i, 2) = pose.wrist;
     joints.orientation(i, 2) = pose.world_from_hand;
     auto row = angles.angles.row(i);
-    for (Eigen::Index j = 0; j < kArm; ++j) {
-      row[j] = samples.arm[k].angles[j];
-    }
+    for (int j = 0; j < kArm; ++j) row[j] = samples.arm[k].angles[j];
     row.tail<kHandStateSize>() = samples.hand[k].transpose();
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger)
       hand.position(i, finger) = samples.tip(k, finger);
-    }
   }
   angles.time = hand.time = joints.time;
   return streams;
 }
 
-/// Returns the readings of an ideal glove; tremor moves the position of the wrist, not its angles.
+/// Returns the readings of an ideal glove. They are without tremor, which moves the wrist's
+/// position and not its angles.
 human::GloveAngles ideal_glove(const BodyMotion& motion, double time_s) {
   const ArmState arm = motion.arm.at(time_s);
   return human::encode_glove({hand_angles(motion.hand.at(time_s)), arm[kFlexion], arm[kDeviation]});
@@ -78,36 +75,33 @@ Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
 
 std::string kinds_report(const Script& script) {
   std::string kinds;
-  for (const ScriptedMovement& movement : script.movements) {
-    kinds += (kinds.empty() ? "" : ", ");
-    kinds += kMovementKindNames[static_cast<std::size_t>(movement.kind)];
-  }
+  for (const ScriptedMovement& movement : script.movements)
+    kinds += fmt::format("{}{}", kinds.empty() ? "" : ", ", name_of(movement.kind));
   return "movements: " + kinds;
 }
 
 }  // namespace
 
-SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t seed,
-                              std::size_t index) {
-  const std::string number = fmt::format("{:06}", index);
+SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t seed, std::size_t k) {
+  const std::string number = fmt::format("{:06}", k);
   const auto stream = [&](const char* purpose) {
     return math::RandomStream(seed, number + purpose);
   };
-  math::RandomStream of_subject = stream("/subject"), of_script = stream("/script"),
-                     of_sensors = stream("/sensors"), of_calibration = stream("/calibration"),
-                     of_object = stream("/object"), of_dropouts = stream("/dropouts");
+  math::RandomStream subject_random = stream("/subject"), script_random = stream("/script"),
+                     sensors_random = stream("/sensors"), pose_random = stream("/calibration"),
+                     object_random = stream("/object"), dropouts_random = stream("/dropouts");
 
-  const Subject subject = draw_subject(options.subject, of_subject);
-  Script script = draw_script(options, subject, of_script);
+  const Subject subject = draw_subject(options.subject, subject_random);
+  Script script = draw_script(options, subject, script_random);
   const MotionSamples samples = sample_motion(subject, script, options.sensors.rate_hz);
   const SampleRange part = {
-      static_cast<std::size_t>(std::ceil(script.begin_s * samples.rate_hz)),
-      std::min(static_cast<std::size_t>(script.end_s * samples.rate_hz), samples.size() - 1)};
+      std::lround(std::ceil(script.begin_s * samples.rate_hz)),
+      std::min(std::lround(std::floor(script.end_s * samples.rate_hz)), samples.size() - 1)};
   script.begin_s = samples.time(part.first);
   script.end_s = samples.time(part.last);
 
-  SyntheticRecording made;
-  Demonstration& truth = made.truth;
+  SyntheticRecording recording;
+  Demonstration& truth = recording.truth;
   truth.name = "synthetic_" + number;
   truth.subject = "subject_" + number;
   truth.task = "reach to grasp";
@@ -116,32 +110,32 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   truth.hand_breadth = subject.body.hand.breadth;
   truth.labels = ground_truth_labels(script, samples);
   truth.import_notes.push_back(kinds_report(script));
-  const double clock_offset_s = of_sensors.uniform(options.glove.clock_offset_s);
+  const double clock_offset_s = sensors_random.uniform(options.glove.clock_offset_s);
   truth.import_notes.push_back(fmt::format("the glove's clock is {:.4f} s ahead", clock_offset_s));
-  made.recorded = truth;
+  recording.recorded = truth;
 
   truth.upper_arm = subject.body.arm.upper_arm;
   truth.forearm = subject.body.arm.forearm;
   truth.streams = ground_truth_streams(samples, part);
 
-  const SensorMounts mounts = draw_mounts(options.sensors, of_sensors);
-  const GloveBias bias = draw_bias(options.glove, of_sensors);
-  made.recorded.streams =
-      recorded_streams(options, script, samples, part, mounts, bias, clock_offset_s, of_sensors);
-  drop(options.sensors, of_dropouts, *made.recorded.streams.sensors);
-  apply_dropouts(options.glove, of_dropouts, *made.recorded.streams.hand);
-  made.recorded.calibration =
-      simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, of_calibration);
-  made.recorded.sensor_offsets =
-      human::sensor_offsets(made.recorded.calibration, made.recorded.import_notes);
+  const SensorMounts mounts = draw_mounts(options.sensors, sensors_random);
+  const GloveBias bias = draw_bias(options.glove, sensors_random);
+  recording.recorded.streams = recorded_streams(options, script, samples, part, mounts, bias,
+                                                clock_offset_s, sensors_random);
+  apply_dropouts(options.sensors, dropouts_random, *recording.recorded.streams.sensors);
+  apply_dropouts(options.glove, dropouts_random, *recording.recorded.streams.hand);
+  recording.recorded.calibration =
+      simulate_calibration(options, subject, script.motion.arm.start, mounts, bias, pose_random);
+  recording.recorded.sensor_offsets =
+      human::sensor_offsets(recording.recorded.calibration, recording.recorded.import_notes);
 
-  if (of_object.bernoulli(options.object.tracked_object_share)) {
-    const double height_m = of_object.uniform(options.object.height);
+  if (object_random.bernoulli(options.object.tracked_object_share)) {
+    const double height_m = object_random.uniform(options.object.height);
     truth.objects.push_back(carried_object(script, samples, height_m, part.first, part.last));
-    made.recorded.objects = truth.objects;
-    add_noise(options.sensors, of_object, made.recorded.objects.front());
+    recording.recorded.objects = truth.objects;
+    add_noise(options.sensors, object_random, recording.recorded.objects.front());
   }
-  return made;
+  return recording;
 }
 
 }  // namespace morphe::synthesize

@@ -16,8 +16,8 @@ ArmState WaypointSampler::draw_home() {
 
 ArmState WaypointSampler::draw_target(const ArmState& home) {
   constexpr int kMaxTries = 20;
-  ArmState state = home, best = home;
-  double farthest = 0;
+  ArmState state = home, target = home;
+  double max_distance_m = 0;
   for (int k = 0; k < kMaxTries; ++k) {
     const double direction = random_.uniform(options_.direction);
     const double distance = random_.uniform(options_.distance);
@@ -26,20 +26,20 @@ ArmState WaypointSampler::draw_target(const ArmState& home) {
     wrist.z() = random_.uniform(options_.height);
     state.segment<3>(kWristPosition) = wrist;
     const ArmState reached = clamp_to_reach(home.segment<3>(kWristPosition), state);
-    const double way = (reached - home).segment<3>(kWristPosition).norm();
-    if (way > farthest) {
-      farthest = way;
-      best = reached;
+    const double distance_m = (reached - home).segment<3>(kWristPosition).norm();
+    if (distance_m > max_distance_m) {
+      max_distance_m = distance_m;
+      target = reached;
     }
     if (reached == state) break;
   }
-  best[kPronation] = random_.uniform(0, 0.45);
-  best[kFlexion] = random_.uniform(-0.45, -0.1);
-  best[kDeviation] = random_.uniform(-0.2, 0.2);
-  best[kSwivel] = swivel();
-  const Vec3 leaning = best.segment<3>(kWristPosition) - home.segment<3>(kWristPosition);
-  best.segment<3>(kShoulderPosition) += random_.uniform(0, 0.06) * leaning;
-  return best;
+  target[kPronation] = random_.uniform(0, 0.45);
+  target[kFlexion] = random_.uniform(-0.45, -0.1);
+  target[kDeviation] = random_.uniform(-0.2, 0.2);
+  target[kSwivel] = swivel();
+  const Vec3 leaning = target.segment<3>(kWristPosition) - home.segment<3>(kWristPosition);
+  target.segment<3>(kShoulderPosition) += random_.uniform(0, 0.06) * leaning;
+  return target;
 }
 
 ArmState WaypointSampler::draw_lift(const ArmState& target) {
@@ -60,17 +60,17 @@ ArmState WaypointSampler::perturb(const ArmState& place, double spread_m, double
 }
 
 ArmState WaypointSampler::clamp_to_reach(const Vec3& from, ArmState state) const {
-  const double reach =
+  const double max_distance_m =
       options_.reach_share * (subject_.body.arm.upper_arm + subject_.body.arm.forearm);
   const Vec3 shoulder = state.segment<3>(kShoulderPosition), to = state.segment<3>(kWristPosition);
-  const auto out_of_reach = [&](double share) {
-    return (from + share * (to - from) - shoulder).norm() > reach;
+  const auto is_too_far = [&](double share) {
+    return (from + share * (to - from) - shoulder).norm() > max_distance_m;
   };
-  if (!out_of_reach(1)) return state;
+  if (!is_too_far(1)) return state;
   double within = 0, beyond = 1;
   for (int halving = 0; halving < 30; ++halving) {
     const double middle = 0.5 * (within + beyond);
-    (out_of_reach(middle) ? beyond : within) = middle;
+    (is_too_far(middle) ? beyond : within) = middle;
   }
   state.segment<3>(kWristPosition) = from + within * (to - from);
   return state;

@@ -5,8 +5,8 @@
 
 namespace morphe::synthesize {
 
-/// A sampler of waypoints of the arm. Every waypoint is within reach (reach_share): a wrist
-/// position out of reach is moved back along the path that leads to it.
+/// Draws the states of the arm between which it moves. A wrist farther from the shoulder than
+/// options.reach_share allows is moved back towards the wrist that the arm comes from.
 class WaypointSampler {
  public:
   /// Samples for one subject; all arguments must outlive the sampler.
@@ -14,14 +14,14 @@ class WaypointSampler {
                   math::RandomStream& random)
       : options_(options), subject_(subject), random_(random) {}
 
-  /// Draws a resting state: palm down on the table in front of the body.
+  /// Draws a resting state: palm down, just above the table in front of the body.
   ArmState draw_home();
   /// Draws a target: thumb up, the palm beside an object.
   ArmState draw_target(const ArmState& home);
   /// Draws a lifted state: up and towards the body.
   ArmState draw_lift(const ArmState& target);
-  /// Varies a state by normally distributed deviations, with standard deviations of the wrist and
-  /// of the angles.
+  /// Varies a state by normally distributed deviations of the wrist and of the four angles, with
+  /// these standard deviations.
   ArmState perturb(const ArmState& place, double spread_m, double spread_rad);
 
  private:

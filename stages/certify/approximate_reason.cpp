@@ -10,8 +10,8 @@ std::string approximate_reason(const Goals& goals, const Tolerances& tolerances,
                                const Certificate& certificate) {
   const GoalCount count = count_goals(goals);
   const bool out_of_reach = count.share_out_of_reach() > tolerances.max_unreachable_share;
-  const bool far = certificate.tip_error_max > tolerances.max_tip_error;
-  if (!out_of_reach && !far) return "";
+  const bool tip_too_far = certificate.tip_error_max > tolerances.max_tip_error;
+  if (!out_of_reach && !tip_too_far) return "";
   return fmt::format(
       "approximate: {} of {} fingertip goals are out of reach (allowed: {:.0f} %); tips are up to "
       "{:.1f} mm from their goals (allowed: {:.1f} mm)",

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/collision/continuous_check.hpp"
-#include "core/math/quintic.hpp"
+#include "core/math/limit_report.hpp"
+#include "core/math/statistics.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"
@@ -15,66 +14,41 @@
 namespace morphe::certify {
 namespace {
 
-constexpr double kClearanceResolution_m = 1e-5;
+constexpr double kClearanceResolution_m = 1e-5;  ///< of the clearance over the whole motion
 
-double mean_of_seen(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  double sum = 0;
-  int count = 0;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    sum += value;
-    ++count;
-  }
-  return count > 0 ? sum / count : kUnknown;
-}
-
-/// Returns a sentence on the first limit that is violated; "" if all are respected.
 std::string limit_violation(const RobotModel& robot, const Trajectory& trajectory,
                             const math::LimitReport& report) {
-  const auto sentence = [&](const char* what, int sample, int joint, const std::string& value) {
-    return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", what,
+  const auto sentence = [&](const char* quantity, int sample, int joint, const std::string& value) {
+    return fmt::format("{} of joint {} is {} after sample {} ({:.3f} s)", quantity,
                        robot.joint_names[joint], value, sample, trajectory.time[sample]);
   };
   if (!(report.position_margin >= 0)) {
     return sentence("position", report.margin_sample, report.margin_joint,
                     fmt::format("{:.3g} rad beyond its limit", -report.position_margin));
   }
-  const auto over = [&](const char* what, const math::LimitUse& use) {
+  const auto excess_of = [&](const char* quantity, const math::LimitUse& use) {
     return use.ratio <= 1 ? std::string()
-                          : sentence(what, use.sample, use.joint,
+                          : sentence(quantity, use.sample, use.joint,
                                      fmt::format("{:.4f} times its limit", use.ratio));
   };
   for (const std::string& found :
-       {over("velocity", report.velocity), over("acceleration", report.acceleration),
-        over("jerk", report.jerk)}) {
+       {excess_of("velocity", report.velocity), excess_of("acceleration", report.acceleration),
+        excess_of("jerk", report.jerk)}) {
     if (!found.empty()) return found;
   }
   return "";
 }
 
-/// Returns NaN for the infinite distance that results if there are no pairs.
 double nan_if_infinite(double clearance) { return std::isinf(clearance) ? kUnknown : clearance; }
 
-void fill_clearance(const collision::CollisionWorld& world, Trajectory& trajectory,
-                    collision::CollisionScratch& scratch) {
-  trajectory.clearance.resize(trajectory.samples());
-  for (std::size_t i = 0; i < trajectory.samples(); ++i) {
-    const JointVector q = trajectory.position.row(i).transpose();
-    trajectory.clearance[i] =
-        nan_if_infinite(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
-  }
-}
-
-/// Returns a sentence on a contact that is not allowed, or that cannot be excluded; "" if there are
-/// no such contacts.
+/// Returns a sentence about a contact that is not allowed or cannot be excluded, or "".
 std::string collision_violation(const collision::CollisionWorld& world,
                                 const collision::JointMotion& motion, const Trajectory& trajectory,
                                 collision::CollisionScratch& scratch) {
   const collision::MotionCheck found = collision::check_motion(world, motion, scratch);
   if (found.verdict == collision::MotionVerdict::free) return "";
   return fmt::format(
-      "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm "
-      "required",
+      "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm required",
       collision::first_body_name(world, found.pair), collision::second_body_name(world, found.pair),
       1e3 * found.pair.separation.distance, found.parameter,
       sample_before(trajectory, found.parameter),
@@ -85,10 +59,10 @@ std::string collision_violation(const collision::CollisionWorld& world,
 std::string tracking_violation(const RobotModel& robot, const Trajectory& trajectory,
                                const GoalErrors& errors) {
   if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
-  const auto sample = static_cast<std::size_t>(errors.worst_sample);
   return fmt::format("{} is {:.2f} mm from its goal at sample {} ({:.3f} s); allowed: {:.2f} mm",
-                     robot.tips[errors.worst_tip].name, 1e3 * errors.worst_error, sample,
-                     trajectory.time[sample], 1e3 * errors.worst_tolerance);
+                     robot.tips[errors.worst_tip].name, 1e3 * errors.worst_error,
+                     errors.worst_sample, trajectory.time[errors.worst_sample],
+                     1e3 * errors.worst_tolerance);
 }
 
 std::string tracking_violation(const RobotModel& robot, const InterSampleTipError& between) {
@@ -119,7 +93,12 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world,
   fail(Reason::joint_limit, limit_violation(*world.robot, trajectory, limits));
 
   collision::CollisionScratch scratch;
-  fill_clearance(world, trajectory, scratch);
+  trajectory.clearance.resize(trajectory.samples());
+  for (int i = 0; i < std::ssize(trajectory.time); ++i) {
+    const JointVector q = trajectory.position.row(i).transpose();
+    trajectory.clearance[i] =
+        nan_if_infinite(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
+  }
   const collision::JointMotion motion = trajectory_motion(trajectory);
   c.clearance = nan_if_infinite(
       collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).lower_bound_m);
@@ -128,10 +107,10 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world,
   return result;
 }
 
-Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goals& goals,
+Outcome<Certificate> certify(const collision::CollisionWorld& recorded_world, const Goals& goals,
                              const Movement& movement, Trajectory& trajectory,
                              const MappingResult& mapped) {
-  collision::CollisionWorld world = around;
+  collision::CollisionWorld world = recorded_world;
   collision::attach_target(trajectory.demonstration_time, trajectory.position, world);
   Outcome<Certificate> result = certify_motion(world, trajectory);
   if (trajectory.samples() < 2) return result;
@@ -144,17 +123,20 @@ Outcome<Certificate> certify(const collision::CollisionWorld& around, const Goal
   c.tip_orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
-  std::string off = tracking_violation(*world.robot, trajectory, errors);
-  if (off.empty())
-    off = tracking_violation(*world.robot, worst_inter_sample_error(*world.robot, goals, movement,
-                                                                    world.tolerances, trajectory));
-  if (!result.failure && !off.empty()) result.failure = {Reason::tracking, off};
+  std::string violation = tracking_violation(*world.robot, trajectory, errors);
+  if (violation.empty()) {
+    violation = tracking_violation(
+        *world.robot,
+        worst_inter_sample_error(*world.robot, goals, movement, world.tolerances, trajectory));
+  }
+  if (!result.failure && !violation.empty()) result.failure = {Reason::tracking, violation};
 
-  const double human_s =
-      trajectory.demonstration_time.back() - trajectory.demonstration_time.front();
+  const std::vector<double>& times = trajectory.demonstration_time;
+  const double human_s = times.back() - times.front();
   if (human_s > 0) c.duration_ratio = trajectory.time.back() / human_s;
   if (mapped.humanlikeness.cols() > 0) {
-    c.humanlikeness_mapped = mean_of_seen(mapped.humanlikeness.col(0));
+    const auto& sums = mapped.humanlikeness.col(0);
+    c.humanlikeness_mapped = math::mean({sums.begin(), sums.end()});
   }
   c.humanlikeness_final = errors.humanlikeness;
   const SpeedProfile robot = robot_speed(*world.robot, goals, trajectory);

@@ -1,6 +1,5 @@
 #include "stages/certify/goal_errors.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/humanlike/metrics.hpp"
@@ -23,10 +22,9 @@ struct Mean {
 
 double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
-/// Returns the distance of a tip, or of its pad's centre, from its goal at a demonstration time;
-/// NaN if it has no goal at that time.
+/// Returns the distance of a tip from its goal at a demonstration time; NaN without a goal.
 double goal_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
-                  const Goals& goals, std::size_t tip, double time_s) {
+                  const Goals& goals, int tip, double time_s) {
   const Vec3 goal = tip_goal_at(goals, tip, time_s);
   if (!is_known(goal)) return kUnknown;
   const double share = pad_share_at(goals, tip, time_s);
@@ -45,17 +43,16 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
   if (goals.frames() == 0) return out;
   Mean position, upper_arm, humanlikeness;
   std::vector<Pose> base_from_frame;
-  const auto shoulder = static_cast<std::size_t>(robot.shoulder_frame);
-  for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
+  for (int sample = 0; sample < std::ssize(trajectory.time); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
     const bool grasp = is_grasping_at(movement, time_s);
     const double tolerance = tolerance_of(tolerances, grasp);
     robot::forward_kinematics(robot, trajectory.position.row(sample).transpose(), base_from_frame);
-    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
       const Pose base_from_tip = robot::tip_pose(robot, base_from_frame, tip);
-      const Quat turned = tip_orientation_goal_at(goals, tip, time_s);
-      if (is_known(turned)) {
-        const double angle = angle_between(Quat(base_from_tip.linear()), turned);
+      const Quat goal = tip_orientation_goal_at(goals, tip, time_s);
+      if (is_known(goal)) {
+        const double angle = angle_between(Quat(base_from_tip.linear()), goal);
         out.orientation_max = std::fmax(out.orientation_max, angle);
       }
       const double error = goal_error(robot, base_from_frame, goals, tip, time_s);
@@ -67,17 +64,18 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
       out.worst_excess = error - tolerance;
       out.worst_error = error;
       out.worst_tolerance = tolerance;
-      out.worst_sample = static_cast<int>(sample);
-      out.worst_tip = static_cast<int>(tip);
+      out.worst_sample = sample;
+      out.worst_tip = tip;
     }
-    const FrameInterpolation at = frame_interpolation(goals, time_s);
+    const FrameInterpolation frame = frame_interpolation(goals, time_s);
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
-    const Vec3 elbow = interpolate_point(goals.elbow_position, at);
+    const Vec3 elbow = interpolate_point(goals.elbow_position, frame);
     if (centres.empty() || !is_known(elbow)) continue;
     humanlikeness.add(humanlike::joint_distance_sum(elbow, centres));
-    const Vec3 human = elbow - interpolate_point(goals.shoulder_position, at);
+    const Vec3 human = elbow - interpolate_point(goals.shoulder_position, frame);
     if (!is_known(human)) continue;
-    const double angle = angle_of(human, centres.front() - base_from_frame[shoulder].translation());
+    const Pose& shoulder = base_from_frame[robot.shoulder_frame];
+    const double angle = angle_of(human, centres.front() - shoulder.translation());
     upper_arm.add(angle);
     out.upper_arm_max = std::fmax(out.upper_arm_max, angle);
   }
@@ -93,33 +91,27 @@ InterSampleTipError worst_inter_sample_error(const robot::Robot& robot, const Go
   constexpr double kMaxCheckPeriod_s = 0.002, kRoundingTolerance = 1e-6;
   InterSampleTipError out;
   if (goals.frames() == 0) return out;
-  const auto joints = static_cast<std::size_t>(trajectory.position.cols());
+  const Eigen::Index joints = trajectory.position.cols();
   std::vector<math::QuinticPiece> pieces(joints);
-  JointVector q(trajectory.position.cols());
+  JointVector q(joints);
   std::vector<Pose> base_from_frame;
-  for (std::size_t sample = 0; sample + 1 < trajectory.samples(); ++sample) {
+  for (int sample = 0; sample + 1 < std::ssize(trajectory.time); ++sample) {
     const double step_s = trajectory.time[sample + 1] - trajectory.time[sample];
     const double parts = std::ceil(step_s / kMaxCheckPeriod_s - kRoundingTolerance);
     if (parts < 2) continue;
-    for (std::size_t joint = 0; joint < joints; ++joint)
-      pieces[joint] = math::quintic_piece(trajectory, sample, joint);
+    for (int j = 0; j < joints; ++j) pieces[j] = math::quintic_piece(trajectory, sample, j);
     for (double part = 1; part < parts; ++part) {
       const double share = part / parts;
-      for (std::size_t joint = 0; joint < joints; ++joint)
-        q[joint] = math::value_at(pieces[joint], share * step_s);
+      for (int j = 0; j < joints; ++j) q[j] = math::value_at(pieces[j], share * step_s);
       robot::forward_kinematics(robot, q, base_from_frame);
       const double time_s = std::lerp(trajectory.demonstration_time[sample],
                                       trajectory.demonstration_time[sample + 1], share);
       const double tolerance = tolerance_of(tolerances, is_grasping_at(movement, time_s));
-      for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+      for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
         const double error = goal_error(robot, base_from_frame, goals, tip, time_s);
         if (std::isnan(error) || error - tolerance <= out.excess) continue;
-        out = {error - tolerance,
-               error,
-               tolerance,
-               trajectory.time[sample] + share * step_s,
-               static_cast<int>(sample),
-               static_cast<int>(tip)};
+        const double trajectory_s = trajectory.time[sample] + share * step_s;
+        out = {error - tolerance, error, tolerance, trajectory_s, sample, tip};
       }
     }
   }

@@ -14,7 +14,7 @@ std::vector<std::size_t> tips_always_seen(const Goals& goals) {
   std::vector<std::size_t> tips;
   for (std::size_t tip = 0; tip < goals.tip_position.cols; ++tip) {
     bool always = goals.frames() > 0;
-    for (std::size_t f = 0; f < goals.frames(); ++f) {
+    for (int f = 0; f < std::ssize(goals.time); ++f) {
       always = always && is_known(goals.tip_position(f, tip));
     }
     if (always) tips.push_back(tip);
@@ -30,9 +30,9 @@ double step_of(const Goals& goals) {
 /// Computes the mean speed; positions[k] are all points at instant k.
 SpeedProfile central_differences(const std::vector<std::vector<Vec3>>& positions, double step_s) {
   SpeedProfile profile{{}, step_s};
-  for (std::size_t k = 1; k + 1 < positions.size(); ++k) {
+  for (int k = 1; k + 1 < std::ssize(positions); ++k) {
     double sum = 0;
-    for (std::size_t i = 0; i < positions[k].size(); ++i) {
+    for (int i = 0; i < std::ssize(positions[k]); ++i) {
       sum += (positions[k + 1][i] - positions[k - 1][i]).norm() / (2 * step_s);
     }
     profile.speed.push_back(sum / static_cast<double>(positions[k].size()));
@@ -41,8 +41,7 @@ SpeedProfile central_differences(const std::vector<std::vector<Vec3>>& positions
 }
 
 bool moves(const SpeedProfile& profile) {
-  return profile.speed.size() >= 3 && profile.step_s > 0 &&
-         *std::max_element(profile.speed.begin(), profile.speed.end()) > 0;
+  return profile.speed.size() >= 3 && profile.step_s > 0 && std::ranges::max(profile.speed) > 0;
 }
 
 /// Returns |sum_i v_i e^(-j angle i)|.
@@ -50,10 +49,10 @@ double spectrum_at(const std::vector<double>& speed, double angle) {
   // Horner's scheme for the polynomial in e^(-j angle).
   const double c = std::cos(angle), s = std::sin(angle);
   double re = 0, im = 0;
-  for (std::size_t i = speed.size(); i-- > 0;) {
-    const double turned = re * c + im * s + speed[i];
+  for (std::ptrdiff_t i = std::ssize(speed) - 1; i >= 0; --i) {
+    const double next_re = re * c + im * s + speed[i];
     im = im * c - re * s;
-    re = turned;
+    re = next_re;
   }
   return std::hypot(re, im);
 }
@@ -66,12 +65,11 @@ SpeedProfile robot_speed(const RobotModel& robot, const Goals& goals,
   const double step_s = step_of(goals);
   if (tips.empty() || !(step_s > 0) || trajectory.samples() < 2) return {};
   const collision::JointMotion motion = trajectory_motion(trajectory);
-  const auto steps =
-      static_cast<std::size_t>((motion.end - motion.begin) / step_s * (1 + 1e-12) + 1e-9);
-  std::vector<std::vector<Vec3>> positions(steps + 1);
+  const double steps = (motion.end - motion.begin) / step_s * (1 + 1e-12) + 1e-9;
+  std::vector<std::vector<Vec3>> positions(std::lround(std::floor(steps)) + 1);
   std::vector<Pose> base_from_frame;
   JointVector q;
-  for (std::size_t k = 0; k <= steps; ++k) {
+  for (std::ptrdiff_t k = 0; k < std::ssize(positions); ++k) {
     motion.position(std::min(motion.begin + static_cast<double>(k) * step_s, motion.end), q);
     robot::forward_kinematics(robot, q, base_from_frame);
     for (const std::size_t tip : tips) {
@@ -85,7 +83,7 @@ SpeedProfile human_speed(const Goals& goals) {
   const std::vector<std::size_t> tips = tips_always_seen(goals);
   if (tips.empty() || goals.frames() < 2) return {};
   std::vector<std::vector<Vec3>> positions(goals.frames());
-  for (std::size_t f = 0; f < goals.frames(); ++f) {
+  for (int f = 0; f < std::ssize(goals.time); ++f) {
     for (const std::size_t tip : tips) positions[f].push_back(goals.tip_position(f, tip));
   }
   return central_differences(positions, step_of(goals));
@@ -93,27 +91,24 @@ SpeedProfile human_speed(const Goals& goals) {
 
 double spectral_arc_length(const SpeedProfile& profile) {
   constexpr double kCutoff_hz = 10, kThreshold = 0.05;
-  constexpr std::size_t kZeroPaddingFactor = 16;
   if (!moves(profile)) return kUnknown;
-  std::size_t padded = 1;
-  while (padded < profile.speed.size()) padded *= 2;
-  padded *= kZeroPaddingFactor;
-  const double bin_hz = 1 / (static_cast<double>(padded) * profile.step_s);
-  const auto bins = static_cast<std::size_t>(
-      std::min(kCutoff_hz / bin_hz * (1 + 1e-12), static_cast<double>(padded - 1)));
+  double padded = 16;  // number of instants
+  for (std::size_t n = 1; n < profile.speed.size(); n *= 2) padded *= 2;
+  const double bin_hz = 1 / (padded * profile.step_s);
+  const std::ptrdiff_t bins =
+      std::lround(std::floor(std::min(kCutoff_hz / bin_hz * (1 + 1e-12), padded - 1)));
   // A speed is nonnegative, so that its spectrum is greatest at frequency 0.
-  const double greatest = spectrum_at(profile.speed, 0);
+  const double max_magnitude = spectrum_at(profile.speed, 0);
   std::vector<double> magnitude;
-  for (std::size_t k = 0; k <= bins; ++k) {
-    const double angle =
-        2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(padded);
-    magnitude.push_back(spectrum_at(profile.speed, angle) / greatest);
+  for (std::ptrdiff_t k = 0; k <= bins; ++k) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(k) / padded;
+    magnitude.push_back(spectrum_at(profile.speed, angle) / max_magnitude);
   }
-  std::size_t last = bins;
+  std::ptrdiff_t last = bins;
   while (magnitude[last] < kThreshold) --last;
   if (last < 1) return kUnknown;
   double length = 0;
-  for (std::size_t k = 0; k < last; ++k) {
+  for (std::ptrdiff_t k = 0; k < last; ++k) {
     length += std::hypot(1 / static_cast<double>(last), magnitude[k + 1] - magnitude[k]);
   }
   return -length;
@@ -124,12 +119,12 @@ double log_dimensionless_jerk(const SpeedProfile& profile) {
   const std::vector<double>& v = profile.speed;
   const double h = profile.step_s;
   double squared_jerk = 0;
-  for (std::size_t i = 1; i + 1 < v.size(); ++i) {
+  for (int i = 1; i + 1 < std::ssize(v); ++i) {
     const double jerk = (v[i + 1] - 2 * v[i] + v[i - 1]) / (h * h);
     squared_jerk += jerk * jerk * h;
   }
   const double duration_s = h * static_cast<double>(v.size() - 1);
-  const double peak = *std::max_element(v.begin(), v.end());
+  const double peak = std::ranges::max(v);
   return -std::log(std::pow(duration_s, 3) / (peak * peak) * squared_jerk);
 }
 

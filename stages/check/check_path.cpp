@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "core/motion/goal_interpolation.hpp"
 #include "core/robot/forward_kinematics.hpp"
@@ -14,22 +13,27 @@
 namespace morphe::check {
 namespace {
 
-/// rounding of positions that were clamped to a limit [rad]
-constexpr double kLimitTolerance_rad = 1e-9;
-constexpr double kJumpPeriod_s = 0.01;     ///< time to which jump_threshold refers
-constexpr double kSlidePerRadian_m = 0.1;  ///< lever of a radian, the length of a finger
-constexpr double kMinJumpRatio = 3;        ///< ratio of a jump to the mean of its neighbours
+constexpr double kLimitTolerance_rad = 1e-9;  ///< rounding of positions clamped to a limit
+constexpr double kJumpPeriod_s = 0.01;        ///< time to which jump_threshold refers
+constexpr double kMinJumpRatio = 3;           ///< ratio of a jump to the mean of its neighbours
+
+FindingUnit unit_of(const RobotModel& robot, int joint) {
+  return robot::is_prismatic(robot, joint) ? FindingUnit::metre : FindingUnit::radian;
+}
 
 void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& rows) {
-  for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
-    for (std::size_t j = 0; j < robot.joints(); ++j) {
-      const auto joint = static_cast<Eigen::Index>(j);
-      const double q = path.position(k, joint);
-      const double beyond = std::isnan(q)
-                                ? std::numeric_limits<double>::infinity()
-                                : std::max(robot.lower[joint] - q, q - robot.upper[joint]);
-      if (beyond > kLimitTolerance_rad)
-        rows.add(Cause::joint_limit, robot.joint_names[j], "", k, k, beyond);
+  for (int k = 0; k < std::ssize(path.demonstration_time); ++k) {
+    for (int j = 0; j < robot.lower.size(); ++j) {
+      const double q = path.position(k, j);
+      const double below = robot.lower[j] - q, above = q - robot.upper[j];
+      const double beyond = std::isnan(q) ? kInfinity : std::max(below, above);
+      if (!(beyond > kLimitTolerance_rad)) continue;
+      rows.add({.cause = Cause::joint_limit,
+                .subject = robot.joint_names[j],
+                .excess = beyond,
+                .unit = unit_of(robot, j),
+                .limit = below > above ? robot.lower[j] : robot.upper[j]},
+               k, k);
     }
   }
 }
@@ -39,66 +43,73 @@ void check_tracking(const robot::Robot& robot, const Goals& goals, const Movemen
   if (goals.frames() == 0) return;
   assert(goals.tip_position.cols == robot.tips.size());
   std::vector<Pose> base_from_frame;
-  for (std::size_t k = 0; k < path.demonstration_time.size(); ++k) {
+  for (int k = 0; k < std::ssize(path.demonstration_time); ++k) {
     const double time_s = path.demonstration_time[k];
-    const double allowed_m = counts_as_grasp(movement, path.demonstration_time, k)
-                                 ? tolerances.tracking_tolerance_grasp
-                                 : tolerances.tracking_tolerance;
+    const bool grasp = counts_as_grasp(movement, path.demonstration_time, k);
+    const double allowed_m =
+        grasp ? tolerances.tracking_tolerance_grasp : tolerances.tracking_tolerance;
     const JointVector q = path.position.row(k);
     robot::forward_kinematics(robot, q, base_from_frame);
-    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+    for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
       const Vec3 goal = tip_goal_at(goals, tip, time_s);
       if (!is_known(goal)) continue;
       const Vec3 reached =
           robot::tracked_point(robot, base_from_frame, tip, pad_share_at(goals, tip, time_s));
       const double beyond_m = (reached - goal).norm() - allowed_m;
-      if (beyond_m > 0) rows.add(Cause::tracking, robot.tips[tip].name, "", k, k, beyond_m);
+      if (!(beyond_m > 0)) continue;
+      rows.add({.cause = Cause::tracking,
+                .subject = robot.tips[tip].name,
+                .excess = beyond_m,
+                .limit = allowed_m},
+               k, k);
     }
   }
 }
 
-/// Returns the steps of one joint, scaled to 10 ms. Without time between two samples the step is
-/// not scaled.
+/// Returns the absolute steps of one joint, scaled to 10 ms unless both samples have the same time.
 std::vector<double> steps_of(const JointPath& path, Eigen::Index joint) {
   std::vector<double> steps;
-  for (std::size_t k = 0; k + 1 < path.demonstration_time.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    const double taken_s = path.demonstration_time[k + 1] - path.demonstration_time[k];
-    const double step = std::abs(path.position(row + 1, joint) - path.position(row, joint));
-    steps.push_back(taken_s > 0 ? step * kJumpPeriod_s / taken_s : step);
+  for (int k = 0; k + 1 < std::ssize(path.demonstration_time); ++k) {
+    const double duration_s = path.demonstration_time[k + 1] - path.demonstration_time[k];
+    const double step = std::abs(path.position(k + 1, joint) - path.position(k, joint));
+    steps.push_back(duration_s > 0 ? step * kJumpPeriod_s / duration_s : step);
   }
   return steps;
 }
 
-double mean_of_neighbours(const std::vector<double>& steps, std::size_t k) {
+double mean_of_neighbours(const std::vector<double>& steps, int k) {
   if (steps.size() == 1) return 0;
   if (k == 0) return steps[1];
-  if (k + 1 == steps.size()) return steps[k - 1];
+  if (k + 1 == std::ssize(steps)) return steps[k - 1];
   return 0.5 * (steps[k - 1] + steps[k + 1]);
 }
 
 void check_jumps(const RobotModel& robot, const JointPath& path, double jump_threshold,
                  FindingRows& rows) {
-  const auto planned = [&path](std::size_t k) {
-    return k < path.origin.size() && path.origin[k] == SampleOrigin::planned;
+  const auto planned = [&path](int k) {
+    return k < std::ssize(path.origin) && path.origin[k] == SampleOrigin::planned;
   };
-  for (std::size_t j = 0; j < robot.joints(); ++j) {
+  for (int j = 0; j < robot.lower.size(); ++j) {
     const std::vector<double> steps = steps_of(path, j);
-    const double most =
-        jump_threshold * (robot::is_prismatic(robot, static_cast<int>(j)) ? kSlidePerRadian_m : 1);
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-      if (steps[k] <= most || planned(k) || planned(k + 1)) continue;
+    const double limit = jump_threshold * (robot::is_prismatic(robot, j) ? kLeverOfRadian_m : 1);
+    for (int k = 0; k < std::ssize(steps); ++k) {
+      if (steps[k] <= limit || planned(k) || planned(k + 1)) continue;
       if (steps[k] <= kMinJumpRatio * mean_of_neighbours(steps, k)) continue;
-      rows.add(Cause::jump, robot.joint_names[j], "", k, k + 1, steps[k] - most);
+      rows.add({.cause = Cause::jump,
+                .subject = robot.joint_names[j],
+                .excess = steps[k] - limit,
+                .unit = unit_of(robot, j),
+                .limit = limit},
+               k, k + 1);
     }
   }
 }
 
 }  // namespace
 
-bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, std::size_t k) {
+bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, std::ptrdiff_t k) {
   return is_grasping_at(movement, time[k]) || (k > 0 && is_grasping_at(movement, time[k - 1])) ||
-         (k + 1 < time.size() && is_grasping_at(movement, time[k + 1]));
+         (k + 1 < std::ssize(time) && is_grasping_at(movement, time[k + 1]));
 }
 
 std::string validation_error(const CheckOptions& options) {
@@ -117,11 +128,11 @@ std::string validation_error(const CheckOptions& options) {
 std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options) {
-  assert(path.position.rows() == static_cast<Eigen::Index>(path.demonstration_time.size()));
+  assert(path.position.rows() == std::ssize(path.demonstration_time));
   FindingRows rows;
-  collision::CollisionWorld carrying = world;
-  collision::attach_target(path.demonstration_time, path.position, carrying);
-  check_collisions(carrying, path, options.engine, rows);
+  collision::CollisionWorld with_target = world;
+  collision::attach_target(path.demonstration_time, path.position, with_target);
+  (options.engine == Engine::fcl ? check_with_fcl : check_certified)(with_target, path, rows);
   check_limits(*world.robot, path, rows);
   check_tracking(*world.robot, goals, movement, path, options.tolerances, rows);
   check_jumps(*world.robot, path, options.jump_threshold, rows);

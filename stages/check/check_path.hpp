@@ -9,17 +9,17 @@
 
 namespace morphe::check {
 
-/// The collision engine: exact distances, certified between samples; or the result of FCL alone, at
-/// samples less than a margin apart.
+/// The collision engine: certified exact distances (analytic), or FCL at instants between which no
+/// body travels farther than the margin.
 enum class Engine { analytic, fcl };
+/// Returns the names of the engines in configurations.
 constexpr std::array<std::string_view, 2> names_of(Engine) { return {"analytic", "fcl"}; }
 
 /// The options of path checks.
 struct CheckOptions {
   Tolerances tolerances;
   Engine engine = Engine::analytic;
-  /// a joint step that may be a jump between IK branches [rad per 10 ms]; for a prismatic joint, a
-  /// tenth of it [m per 10 ms]
+  /// Joint step that may be a jump between IK branches [rad per 10 ms or 0.1 m per 10 ms].
   double jump_threshold = 0.06;
 };
 template <class Fields>
@@ -36,29 +36,27 @@ void fields(Fields& f, CheckOptions& o) {
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const CheckOptions& options);
 
-/// Returns true if sample k of a path belongs to grasp or hold, so that its tips have the tighter
-/// tolerance. Samples next to the grasp belong to it, because part of the motion between them does.
-bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, std::size_t k);
+/// Returns true if sample k of a path, or one next to it, is in grasp or hold. Its tips then have
+/// the tighter tolerance, because part of the motion between these samples is in grasp or hold.
+bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, std::ptrdiff_t k);
 
-/// Returns everything that prevents a path from being executed, one finding for each cause and pair
-/// of names in a row of samples, ordered by begin, then cause and names; empty if the path is free.
-/// Times are the path's demonstration times; the tips are compared with the goals at these times.
+/// Returns the findings that prevent a path from being executed; empty if the path is free. There
+/// is one for each cause and pair of names in a row of samples, ordered by begin, then cause and
+/// names. Times are the path's demonstration times; the tips are compared with the goals at these
+/// times.
 ///   self, object, table  the pair is closer than allowed, at a sample or on the straight line to
-///                        the next one (an object named "table" is the table). Extends from the
-///                        last sample before to the first one after. Depth: the missing clearance
-///                        at the worst place that was evaluated; if no collision was found but
-///                        freedom could not be proved either, the band of 0.1 mm that is left
-///                        undecided, less the slack. A target with an attached_frame moves with it
-///                        along the path
+///                        the next one (an object named "table" is the table; a target with an
+///                        attached_frame moves with it). It extends from the last sample before to
+///                        the first one after. Depth: the missing clearance at the worst place that
+///                        was evaluated; of a line that was neither found in collision nor proved
+///                        free, 0.1 mm less the slack
 ///   limit                a joint exceeds a limit by more than 1e-9 rad (or is not a number);
 ///                        depth: the excess
-///   tracking             a tip is farther from its goal than its phase allows (grasp and hold, and
-///                        the samples next to them: tracking_tolerance_grasp); depth: the excess
-///   jump                 a joint's step is larger than jump_threshold in its time and 3 times the
-///   mean
-///                        of its neighbours, so that a fast smooth motion is not a jump. Steps to
-///                        or from a planned sample are exempt. Depth: the excess over
-///                        jump_threshold
+///   tracking             a tip is farther from its goal than allowed (counts_as_grasp); depth: the
+///                        excess
+///   jump                 a joint's step, scaled to 10 ms, exceeds jump_threshold and 3 times the
+///                        mean of the steps beside it (a fast smooth motion is not a jump), and
+///                        neither end is planned; depth: the excess over jump_threshold
 std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options);

@@ -1,20 +1,19 @@
 #include "stages/check/finding_rows.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace morphe::check {
 
-void FindingRows::add(Cause cause, const std::string& one, const std::string& other,
-                      std::size_t first, std::size_t last, double depth) {
-  rows_[{cause, one, other}].push_back({first, last, depth});
+void FindingRows::add(const Finding& violation, int first, int last) {
+  rows_[{violation.cause, violation.subject, violation.other_body}].push_back(
+      {first, last, violation});
 }
 
 std::vector<Finding> FindingRows::join(const std::vector<double>& demonstration_time) const {
   std::vector<Finding> findings;
-  for (const auto& [names, unordered] : rows_) {
-    std::vector<Row> rows = unordered;
-    std::sort(rows.begin(), rows.end(),
-              [](const Row& a, const Row& b) { return a.first < b.first; });
+  for (auto [names, rows] : rows_) {
+    std::ranges::sort(rows, {}, &Row::first);
     std::vector<Row> joined;
     for (const Row& row : rows) {
       if (joined.empty() || row.first > joined.back().last + 1) {
@@ -22,16 +21,15 @@ std::vector<Finding> FindingRows::join(const std::vector<double>& demonstration_
         continue;
       }
       joined.back().last = std::max(joined.back().last, row.last);
-      joined.back().depth = std::max(joined.back().depth, row.depth);
+      if (row.finding.excess > joined.back().finding.excess) joined.back().finding = row.finding;
     }
-    const auto& [cause, first, second] = names;
-    for (const Row& row : joined) {
-      findings.push_back({demonstration_time[row.first], demonstration_time[row.last], cause, first,
-                          second, row.depth});
+    for (Row& row : joined) {
+      row.finding.begin_s = demonstration_time[row.first];
+      row.finding.end_s = demonstration_time[row.last];
+      findings.push_back(std::move(row.finding));
     }
   }
-  std::stable_sort(findings.begin(), findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.begin_s < b.begin_s; });
+  std::ranges::stable_sort(findings, {}, &Finding::begin_s);
   return findings;
 }
 

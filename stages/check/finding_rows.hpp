@@ -9,20 +9,20 @@
 
 namespace morphe::check {
 
-/// Collects violations at single samples, or between two samples, and merges adjacent ones.
+/// Collects violations at single samples or over several, and merges adjacent ones.
 class FindingRows {
  public:
-  /// Adds a violation from sample `first` to sample `last`.
-  void add(Cause cause, const std::string& one, const std::string& other, std::size_t first,
-           std::size_t last, double depth);
-  /// Returns the findings, ordered by begin, then cause and names. Rows of one cause and pair whose
-  /// samples are neighbours become one finding, with the greatest depth.
+  /// Adds a violation from sample `first` to sample `last`; its interval is set by join().
+  void add(const Finding& violation, int first, int last);
+  /// Returns the findings, ordered by begin, then cause and names. Violations of one cause and pair
+  /// of names that overlap or are at neighbouring samples become one finding, that of the greatest
+  /// excess. `demonstration_time` has the time of each sample.
   std::vector<Finding> join(const std::vector<double>& demonstration_time) const;
 
  private:
   struct Row {
-    std::size_t first, last;
-    double depth;
+    int first, last;
+    Finding finding;
   };
   std::map<std::tuple<Cause, std::string, std::string>, std::vector<Row>> rows_;
 };

@@ -4,7 +4,8 @@
 
 namespace morphe::exports {
 
-/// Returns the text, quoted if necessary (RFC 4180).
+/// Returns the text as a cell of a CSV table, quoted if it contains a comma, a quote or a line end
+/// (RFC 4180).
 inline std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -25,9 +25,7 @@ Json group_json(const JointGroup& group, const RobotModel& robot) {
 
 Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
   Json files = Json::object();
-  for (std::size_t g = 0; g < motion.files.size(); ++g) {
-    files[index.groups[g].name] = motion.files[g];
-  }
+  for (int g = 0; g < std::ssize(motion.files); ++g) files[index.groups[g].name] = motion.files[g];
   Json json = {{"motion", motion.name},
                {"duration_s", motion.duration_s},
                {"points", motion.points},
@@ -54,9 +52,8 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
                {"delay_s", index.motion.delay_s},
                {"approach", name_of(index.motion.approach)}};
   json["groups"] = Json::object();
-  for (const JointGroup& group : index.groups) {
+  for (const JointGroup& group : index.groups)
     json["groups"][group.name] = group_json(group, robot);
-  }
   json["plans"] = Json::array();
   for (const IndexedPlan& plan : index.plans) {
     Json motions = Json::array();
@@ -70,9 +67,8 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
     json["plans"].push_back(entry);
   }
   json["skipped"] = Json::array();
-  for (const SkippedPlan& one : index.skipped) {
-    json["skipped"].push_back({{"plan", one.plan}, {"reason", one.reason}});
-  }
+  for (const auto& [plan, reason] : index.skipped)
+    json["skipped"].push_back({{"plan", plan}, {"reason", reason}});
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/math/quintic.hpp"
+#include "core/math/limit_report.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
 #include "stages/export/joint_group.hpp"
@@ -17,8 +17,7 @@ struct IndexedMotion {
   double duration_s = 0;
   std::size_t points = 0;          ///< number of points
   std::vector<std::string> files;  ///< one per group
-  /// use of the limits by the quintics between the points; only if resampled
-  math::LimitReport limits;
+  math::LimitReport limits;        ///< use of the limits between the points; only if resampled
 };
 
 /// The exported files of one plan.
@@ -35,9 +34,9 @@ struct SkippedPlan {
   std::string plan, reason;
 };
 
-/// The information with which a script can execute the files of one export in order.
+/// The files of one export, with which a script can execute them in order.
 struct ExportIndex {
-  std::string format;
+  std::string format;  ///< one of export_format_names()
   MotionOptions motion;
   double rate_hz = 0;  ///< rate of the points, resampled or not
   std::vector<JointGroup> groups;

@@ -37,15 +37,15 @@ struct Export {
   bool has_approach_or_retreat = false;  ///< true if a plan has an approach or a retreat
 };
 
-/// Returns the rate of the planned samples, which are equidistant.
+/// Returns the rate of the planned samples, which are equidistant, rounded to 1e-6 Hz.
 double sample_rate_hz(const Trajectory& t) {
   return std::round(1e6 * static_cast<double>(t.samples() - 1) / (t.time.back() - t.time[0])) / 1e6;
 }
 
 /// Returns true if all times fit the 32-bit seconds of ROS messages.
-bool fits_ros_duration(const PlanMotions& found) {
+bool fits_ros_duration(const std::vector<PlanMotion>& motions) {
   constexpr double kMaxRosTime_s = 2147483647;
-  return std::ranges::all_of(found.motions, [&](const PlanMotion& motion) {
+  return std::ranges::all_of(motions, [&](const PlanMotion& motion) {
     return std::ranges::all_of(motion.trajectory.time,
                                [&](double t) { return std::abs(t) <= kMaxRosTime_s; });
   });
@@ -55,17 +55,15 @@ bool fits_ros_duration(const PlanMotions& found) {
 /// skipped.
 std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& plan) {
   const MotionOptions& options = run.options.motion;
-  PlanMotions found = motions_of(run.reader.robot(), plan, options);
-  if (found.rejection_reason.empty() && run.options.format.starts_with("ros") &&
-      !fits_ros_duration(found))
-    found.rejection_reason = "is longer than a ROS message can express (2^31 s)";
-  if (!found.rejection_reason.empty()) {
-    run.index.skipped.push_back({run.reader.plan_paths()[i], found.rejection_reason});
+  auto [motions, reason] = motions_of(run.reader.robot(), plan, options);
+  if (reason.empty() && run.options.format.starts_with("ros") && !fits_ros_duration(motions))
+    reason = "is longer than a ROS message can express (2^31 s)";
+  if (!reason.empty()) {
+    run.index.skipped.push_back({run.reader.plan_paths()[i], reason});
     return {};
   }
-  if (run.index.plans.empty()) {
+  if (run.index.plans.empty())
     run.index.rate_hz = options.rate_hz > 0 ? options.rate_hz : sample_rate_hz(plan.trajectory);
-  }
   run.has_approach_or_retreat =
       run.has_approach_or_retreat || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
   IndexedPlan& indexed = run.index.plans.emplace_back();
@@ -73,18 +71,17 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
   indexed.status = plan.status();
   indexed.subject = plan.subject;
   indexed.task = plan.task;
-  for (const PlanMotion& motion : found.motions) {
-    const Trajectory& t = motion.trajectory;
+  for (const auto& [name, t] : motions) {
     IndexedMotion& entry = indexed.motions.emplace_back();
-    entry.name = motion.what;
+    entry.name = name;
     entry.duration_s = t.time.back() - t.time[0];
     entry.points = t.samples();
     if (options.rate_hz > 0) entry.limits = math::limit_report(run.reader.robot(), t);
   }
-  return std::move(found.motions);
+  return std::move(motions);
 }
 
-/// Returns the time of the grasp in the exported motion that has the goals.
+/// Returns the time of the grasp in the exported motion "trajectory".
 double grasp_time_s(const Plan& plan, const MotionOptions& options) {
   const bool joined = options.approach == ApproachMode::joined && plan.approach.samples() > 0;
   const double before_s =
@@ -93,9 +90,9 @@ double grasp_time_s(const Plan& plan, const MotionOptions& options) {
   return before_s + t.time[plan.grasp.sample] - t.time[0];
 }
 
+/// Adds the files of a grasp with contacts: two tables, or one JSON file.
 void export_grasp(Export& run, const Plan& plan, bool tables) {
-  const std::size_t sample = plan.grasp.sample;
-  if (!has_contacts(plan) || sample >= plan.trajectory.samples()) return;
+  if (!has_contacts(plan) || plan.grasp.sample >= std::ssize(plan.trajectory.time)) return;
   const RobotModel& robot = run.reader.robot();
   IndexedPlan& indexed = run.index.plans.back();
   const std::string name = fmt::format("{}_{:03}", plan.demonstration, plan.movement.index);
@@ -116,11 +113,11 @@ void export_texts(Export& run, const TextFormat& format) {
   for (std::size_t i = 0; i < run.reader.size(); ++i) {
     const Plan plan = run.reader.read(i);
     const std::vector<PlanMotion> motions = add_to_index(run, i, plan);
-    for (std::size_t m = 0; m < motions.size(); ++m) {
-      const std::string what = motions[m].what == "trajectory" ? "" : "_" + motions[m].what;
+    for (int m = 0; m < std::ssize(motions); ++m) {
+      const std::string suffix = motions[m].name == "trajectory" ? "" : "_" + motions[m].name;
       for (const JointGroup& group : run.index.groups) {
         const std::string name =
-            fmt::format("{}_{:03}{}{}{}", plan.demonstration, plan.movement.index, what,
+            fmt::format("{}_{:03}{}{}{}", plan.demonstration, plan.movement.index, suffix,
                         group.name == "all" ? "" : "_" + group.name, format.ending);
         run.files.add(name, format.text_of(group, select_joints(motions[m].trajectory, group)));
         run.index.plans.back().motions[m].files.push_back(name);
@@ -131,8 +128,7 @@ void export_texts(Export& run, const TextFormat& format) {
 }
 
 void export_robomimic(Export& run) {
-  // Reads the file twice: whether all plans have a target must be known before the first one is
-  // written.
+  // Reads the file twice: demonstrations have the target's pose only if all plans have a target.
   const std::string name = "robomimic.hdf5";
   std::vector<std::size_t> chosen;
   bool target = true;
@@ -156,8 +152,8 @@ void export_robomimic(Export& run) {
 }
 
 void check_robomimic(const ExportOptions& options) {
-  const auto refuse = [](const char* option, const char* why) {
-    throw InputError(fmt::format("--format robomimic: {}: omit {}", why, option));
+  const auto refuse = [](const char* option, const char* reason) {
+    throw InputError(fmt::format("--format robomimic: {}: omit {}", reason, option));
   };
   if (options.groups != std::vector<std::string>{"all"})
     refuse("--group", "always contains all joints");
@@ -175,32 +171,31 @@ void check_joined(const Export& run) {
       "(docs/steps/approach.md), or omit --approach");
 }
 
-/// Returns a note on the use of the limits by the quintics between resampled points if it exceeds
-/// 1.
+/// Returns a note on the limit that the quintics between resampled points exceed most, or "".
 std::string limit_overshoot_note(const Export& run) {
   constexpr double kRelativeRounding = 1e-6;
-  const IndexedPlan* at = nullptr;
-  const char* which = "";
-  math::LimitUse most{1 + kRelativeRounding, -1, -1};
+  const IndexedPlan* worst_plan = nullptr;
+  const char* limit = "";
+  math::LimitUse worst_use{1 + kRelativeRounding, -1, -1};
   for (const IndexedPlan& plan : run.index.plans) {
     for (const IndexedMotion& motion : plan.motions) {
       for (const auto& [name, use] : {std::pair{"velocity", &motion.limits.velocity},
                                       std::pair{"acceleration", &motion.limits.acceleration},
                                       std::pair{"jerk", &motion.limits.jerk}}) {
-        if (use->ratio <= most.ratio) continue;
-        most = *use;
-        which = name;
-        at = &plan;
+        if (use->ratio <= worst_use.ratio) continue;
+        worst_use = *use;
+        limit = name;
+        worst_plan = &plan;
       }
     }
   }
-  if (!at) return "";
+  if (!worst_plan) return "";
   return fmt::format(
       "at {:g} Hz a controller that interpolates the points with quintics reaches up to {:.3g} "
       "times the {} limit ({}, joint {}). The points are on the certified curve; without --rate "
       "they are its samples, and such a controller follows the certified curve exactly",
-      run.options.motion.rate_hz, most.ratio, which, at->plan,
-      run.reader.robot().joint_names[most.joint]);
+      run.options.motion.rate_hz, worst_use.ratio, limit, worst_plan->plan,
+      run.reader.robot().joint_names[worst_use.joint]);
 }
 
 }  // namespace
@@ -213,8 +208,8 @@ std::vector<std::string> export_format_names() {
 }
 
 ExportReport export_plans(const std::filesystem::path& plans, const std::filesystem::path& folder,
-                          const ExportOptions& asked) {
-  ExportOptions options = asked;
+                          const ExportOptions& requested) {
+  ExportOptions options = requested;
   const bool robomimic = options.format == kRobomimic;
   if (robomimic) {
     check_robomimic(options);
@@ -222,11 +217,10 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   }
   const store::PlanReader reader(plans);
   Export run{reader, options, StagedFiles(folder), {options.format, options.motion, 0, {}, {}, {}}};
-  for (const std::string& words : options.groups) {
-    const JointGroup group = joint_group(reader.robot(), words);
-    if (std::ranges::count(run.index.groups, group.name, &JointGroup::name) > 0) {
-      throw InputError(fmt::format("--group {}: group '{}' already exists", words, group.name));
-    }
+  for (const std::string& selection : options.groups) {
+    const JointGroup group = joint_group(reader.robot(), selection);
+    if (std::ranges::count(run.index.groups, group.name, &JointGroup::name) > 0)
+      throw InputError(fmt::format("--group {}: group '{}' already exists", selection, group.name));
     run.index.groups.push_back(group);
   }
   if (robomimic) export_robomimic(run);

@@ -23,9 +23,8 @@ std::string numbers(const Vec3& v) {
   return number(v.x()) + "," + number(v.y()) + "," + number(v.z());
 }
 
-std::string at(const JointVector& values, std::size_t joint) {
-  const auto j = static_cast<Eigen::Index>(joint);
-  return j < values.size() ? number(values[j]) : std::string();
+std::string number_of_joint(const JointVector& values, int joint) {
+  return joint < values.size() ? number(values[joint]) : std::string();
 }
 
 }  // namespace
@@ -68,10 +67,12 @@ std::string grasp_force_csv(const RobotModel& robot, const Plan& plan) {
   const JointGroup all = joint_group(robot, "all");
   const Grasp& grasp = plan.grasp;
   std::string text = "joint,unit,pregrasp,grasp,grasp_torque,servo_target\n";
-  for (std::size_t j = 0; j < all.names.size(); ++j) {
-    text += fmt::format("{},{},{},{},{},{}\n", csv_cell(all.names[j]), all.units[j],
-                        at(grasp.pregrasp_posture, j), at(grasp.grasp_posture, j),
-                        at(grasp.grasp_torque, j), at(grasp.servo_target, j));
+  for (int j = 0; j < std::ssize(all.names); ++j) {
+    text += csv_cell(all.names[j]) + "," + all.units[j];
+    for (const JointVector* values :
+         {&grasp.pregrasp_posture, &grasp.grasp_posture, &grasp.grasp_torque, &grasp.servo_target})
+      text += "," + number_of_joint(*values, j);
+    text += "\n";
   }
   return text;
 }

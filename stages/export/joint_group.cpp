@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
+#include <numeric>
 
 #include "core/motion/input_error.hpp"
 #include "core/robot/tree.hpp"
@@ -11,41 +11,38 @@
 namespace morphe::exports {
 namespace {
 
-[[noreturn]] void fail(const std::string& asked, const std::string& what) {
-  throw InputError(fmt::format("--group {}: {}", asked, what));
+[[noreturn]] void fail(const std::string& selection, const std::string& message) {
+  throw InputError(fmt::format("--group {}: {}", selection, message));
 }
 
-std::size_t find_joint(const RobotModel& robot, const std::string& asked, const std::string& name) {
-  const auto found = std::ranges::find(robot.joint_names, name);
-  if (found == robot.joint_names.end()) {
-    fail(asked, fmt::format("{} has no joint '{}': its joints are {}", robot.name, name,
-                            fmt::join(robot.joint_names, ", ")));
+int find_joint(const RobotModel& robot, const std::string& selection, const std::string& name) {
+  for (int j = 0; j < std::ssize(robot.joint_names); ++j) {
+    if (robot.joint_names[j] == name) return j;
   }
-  return found - robot.joint_names.begin();
+  fail(selection, fmt::format("{} has no joint '{}': its joints are {}", robot.name, name,
+                              fmt::join(robot.joint_names, ", ")));
 }
 
-/// Returns the joints of NAME=FIRST..LAST.
-std::vector<int> joint_range(const RobotModel& robot, const std::string& asked,
+/// Returns the joints of NAME=FIRST..LAST, which has its equals sign at index `equals`.
+std::vector<int> joint_range(const RobotModel& robot, const std::string& selection,
                              std::size_t equals) {
-  const std::size_t dots = asked.find("..", equals);
-  if (equals == 0 || dots == std::string::npos) {
-    fail(asked, fmt::format("must be {}", kGroupHelp));
-  }
-  if (asked.find('/') < equals) fail(asked, "a file name cannot contain '/'");
-  const std::size_t first = find_joint(robot, asked, asked.substr(equals + 1, dots - equals - 1));
-  const std::size_t last = find_joint(robot, asked, asked.substr(dots + 2));
+  const std::size_t dots = selection.find("..", equals);
+  if (equals == 0 || dots == std::string::npos)
+    fail(selection, fmt::format("must be {}", kGroupHelp));
+  if (selection.find('/') < equals) fail(selection, "a file name cannot contain '/'");
+  const int first = find_joint(robot, selection, selection.substr(equals + 1, dots - equals - 1));
+  const int last = find_joint(robot, selection, selection.substr(dots + 2));
   if (first > last) {
-    fail(asked, fmt::format("'{}' comes after '{}': swap them", robot.joint_names[first],
-                            robot.joint_names[last]));
+    fail(selection, fmt::format("'{}' comes after '{}': swap them", robot.joint_names[first],
+                                robot.joint_names[last]));
   }
-  std::vector<int> joints;
-  for (std::size_t j = first; j <= last; ++j) joints.push_back(static_cast<int>(j));
+  std::vector<int> joints(last - first + 1);
+  std::iota(joints.begin(), joints.end(), first);
   return joints;
 }
 
-/// Returns the frame at the end of the arm: the last frame on the chain to the palm whose name ends
-/// with flange, since a hand may have a wrist of its own beyond it; the palm if there is no such
-/// frame.
+/// Returns the frame nearest to the palm, among its ancestors, whose name ends with "flange"; the
+/// palm if there is no such frame. A hand may have wrist joints of its own beyond the flange.
 int flange_frame(const RobotModel& robot) {
   for (const int frame : robot::ancestors(robot, robot.palm_frame)) {
     if (robot.frames[frame].name.ends_with("flange")) return frame;
@@ -53,30 +50,29 @@ int flange_frame(const RobotModel& robot) {
   return robot.palm_frame;
 }
 
-std::vector<int> arm_or_hand_joints(const RobotModel& robot, const std::string& asked) {
-  if (asked != "all" && asked != "arm" && asked != "hand") {
-    fail(asked, fmt::format("must be {}", kGroupHelp));
-  }
-  const int end = flange_frame(robot);
+std::vector<int> arm_or_hand_joints(const RobotModel& robot, const std::string& selection) {
+  if (selection != "all" && selection != "arm" && selection != "hand")
+    fail(selection, fmt::format("must be {}", kGroupHelp));
+  const int flange = flange_frame(robot);
   std::vector<int> joints;
-  for (int joint = 0; joint < static_cast<int>(robot.joints()); ++joint) {
-    const bool arm = robot::joint_moves_frame(robot, joint, end);
-    if (asked == "all" || arm == (asked == "arm")) joints.push_back(joint);
+  for (int joint = 0; joint < std::ssize(robot.joint_names); ++joint) {
+    const bool arm = robot::joint_moves_frame(robot, joint, flange);
+    if (selection == "all" || arm == (selection == "arm")) joints.push_back(joint);
   }
   if (joints.empty()) {
-    fail(asked, fmt::format("{} has no joints of {}: omit --group", robot.name,
-                            asked == "arm" ? "an arm" : "a hand"));
+    fail(selection, fmt::format("{} has no joints of {}: omit --group", robot.name,
+                                selection == "arm" ? "an arm" : "a hand"));
   }
   return joints;
 }
 
 }  // namespace
 
-JointGroup joint_group(const RobotModel& robot, const std::string& asked) {
-  const std::size_t equals = asked.find('=');
-  const bool own = equals != std::string::npos;
-  JointGroup group{asked.substr(0, equals), {}, {}, {}};
-  group.joints = own ? joint_range(robot, asked, equals) : arm_or_hand_joints(robot, asked);
+JointGroup joint_group(const RobotModel& robot, const std::string& selection) {
+  const std::size_t equals = selection.find('=');
+  JointGroup group{selection.substr(0, equals), {}, {}, {}};
+  group.joints = equals == std::string::npos ? arm_or_hand_joints(robot, selection)
+                                             : joint_range(robot, selection, equals);
   for (const int joint : group.joints) {
     group.names.push_back(robot.joint_names[joint]);
     group.units.push_back(robot::is_prismatic(robot, joint) ? "m" : "rad");

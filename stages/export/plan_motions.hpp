@@ -10,8 +10,7 @@
 
 namespace morphe::exports {
 
-/// The treatment of approach and retreat: exported as separate motions, joined with the trajectory,
-/// or omitted.
+/// How approach and retreat are exported: as separate motions, joined with the trajectory, or not.
 enum class ApproachMode { apart, joined, none };
 constexpr std::array<std::string_view, 3> names_of(ApproachMode) {
   return {"apart", "joined", "none"};
@@ -26,17 +25,16 @@ struct MotionOptions {
 
 /// A motion that the robot executes without interruption.
 struct PlanMotion {
-  std::string what;  ///< trajectory, approach, retreat; trajectory for joined motions
+  std::string name;  ///< trajectory (also if joined), approach, retreat
   Trajectory trajectory;
 };
 
-/// The motions of a plan with a trajectory in the order of execution, or the reason for their
-/// absence.
+/// The motions of a plan in the order of execution, or the reason for which it cannot be exported.
 struct PlanMotions {
   std::vector<PlanMotion> motions;
-  std::string rejection_reason;
+  std::string rejection_reason;  ///< "" if there are motions
 };
-/// Returns the motions of a plan.
+/// Returns the motions of a plan, each with its wait and then resampled as the options say.
 PlanMotions motions_of(const RobotModel& robot, const Plan& plan, const MotionOptions& options);
 
 }  // namespace morphe::exports

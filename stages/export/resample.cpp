@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -11,16 +10,15 @@
 namespace morphe::exports {
 namespace {
 
-/// Share of a step between samples: a point closer to the end than this is taken as the end.
+/// Share of a step: a point closer to the end of the trajectory than this is left out.
 constexpr double kEndToleranceShare = 1e-6;
-/// Tolerance of the junction between two motions, for deviations left by planning [rad or m, per s,
-/// per s^2].
+/// Tolerances of the junction of two planned motions in position, velocity and acceleration.
 constexpr std::array<double, 3> kContinuityTolerance = {1e-6, 1e-5, 1e-3};
 
 constexpr std::array<JointRows Trajectory::*, 3> kDerivativeRows = {
     &Trajectory::position, &Trajectory::velocity, &Trajectory::acceleration};
 
-std::vector<double> times(double end_s, double rate_hz) {
+std::vector<double> sample_times(double end_s, double rate_hz) {
   std::vector<double> time;
   for (std::size_t k = 0;; ++k) {
     const double t = static_cast<double>(k) / rate_hz;
@@ -38,7 +36,7 @@ Trajectory make_trajectory(std::size_t samples, Eigen::Index joints) {
 }
 
 /// Appends the values of one sample except the joint rows.
-void add_labels(const Trajectory& from, std::size_t sample, Trajectory& to) {
+void add_labels(const Trajectory& from, Eigen::Index sample, Trajectory& to) {
   to.demonstration_time.push_back(from.demonstration_time[sample]);
   to.phase.push_back(from.phase[sample]);
   to.origin.push_back(from.origin[sample]);
@@ -55,9 +53,9 @@ math::JointState difference(const math::JointState& a, const math::JointState& b
 
 Eigen::Index last_of(const Trajectory& t) { return t.position.rows() - 1; }
 
-/// Shifts a motion by one quintic over its whole duration that keeps one end and moves the other
-/// exactly to a sample of another motion. The sum of two quintics is a quintic, so that the form of
-/// the motion is preserved.
+/// Moves the begin of a motion exactly to the end of another one, or its end to the begin of that,
+/// by adding a quintic over the whole duration. The sum of two quintics is a quintic: the motion
+/// remains piecewise quintic.
 Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
   const double duration = t.time.back() - t.time[0];
   for (Eigen::Index joint = 0; joint < t.position.cols(); ++joint) {
@@ -66,10 +64,10 @@ Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
               : difference(state_of(to, 0, joint), state_of(t, last_of(t), joint));
     const math::QuinticPiece shift =
         begin ? math::quintic_piece(gap, {}, duration) : math::quintic_piece({}, gap, duration);
-    for (std::size_t i = 0; i < t.samples(); ++i) {
-      for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
+    for (int i = 0; i < std::ssize(t.time); ++i) {
+      for (int order = 0; order < std::ssize(kDerivativeRows); ++order) {
         (t.*kDerivativeRows[order])(i, joint) +=
-            math::value_at(shift, t.time[i] - t.time[0], static_cast<int>(order));
+            math::value_at(shift, t.time[i] - t.time[0], order);
       }
     }
   }
@@ -78,38 +76,35 @@ Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
 
 }  // namespace
 
-Trajectory adjust_end(const Trajectory& way, const Trajectory& next) {
-  return shift_endpoint(way, false, next);
+Trajectory adjust_end(const Trajectory& motion, const Trajectory& next) {
+  return shift_endpoint(motion, false, next);
 }
 
-Trajectory adjust_begin(const Trajectory& way, const Trajectory& before) {
-  return shift_endpoint(way, true, before);
+Trajectory adjust_begin(const Trajectory& motion, const Trajectory& before) {
+  return shift_endpoint(motion, true, before);
 }
 
 Trajectory resample(const Trajectory& from, double rate_hz) {
-  const std::vector<double> time = times(from.time.back() - from.time[0], rate_hz);
-  const std::size_t last = from.samples() - 2;  // index of the last piece
-  const Eigen::Index joints = from.position.cols();
+  const std::vector<double> time = sample_times(from.time.back() - from.time[0], rate_hz);
+  const Eigen::Index end = last_of(from), joints = from.position.cols();
   Trajectory to = make_trajectory(time.size(), joints);
   to.time = time;
-  std::size_t piece = 0;
-  for (std::size_t k = 0; k < time.size(); ++k) {
+  Eigen::Index piece = 0;
+  for (int k = 0; k < std::ssize(time); ++k) {
     const double t = from.time[0] + time[k];
-    while (piece < last && from.time[piece + 1] <= t) ++piece;
-    const auto row = static_cast<Eigen::Index>(k);
-    const bool at_end = k + 1 == time.size();
-    const double into = t - from.time[piece];
+    while (piece + 1 < end && from.time[piece + 1] <= t) ++piece;
+    const bool at_end = k + 1 == std::ssize(time);
+    const double elapsed_s = t - from.time[piece];
     for (Eigen::Index joint = 0; joint < joints; ++joint) {
       const math::QuinticPiece quintic = math::quintic_piece(from, piece, joint);
-      for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
-        (to.*kDerivativeRows[order])(row, joint) =
-            at_end ? (from.*kDerivativeRows[order])(from.position.rows() - 1, joint)
-                   : math::value_at(quintic, into, static_cast<int>(order));
+      for (int order = 0; order < std::ssize(kDerivativeRows); ++order) {
+        (to.*kDerivativeRows[order])(k, joint) = at_end ? (from.*kDerivativeRows[order])(end, joint)
+                                                        : math::value_at(quintic, elapsed_s, order);
       }
     }
-    add_labels(from, at_end ? last + 1 : piece, to);
+    add_labels(from, at_end ? end : piece, to);
     if (at_end) continue;
-    const double share = into / (from.time[piece + 1] - from.time[piece]);
+    const double share = elapsed_s / (from.time[piece + 1] - from.time[piece]);
     to.demonstration_time.back() =
         std::lerp(from.demonstration_time[piece], from.demonstration_time[piece + 1], share);
   }
@@ -126,7 +121,7 @@ Trajectory add_initial_wait(const Trajectory& from, double delay_s) {
     (to.*rows).bottomRows((from.*rows).rows()) = from.*rows;
   }
   to.position.row(0) = from.position.row(0);
-  for (std::size_t i = 0; i < from.samples(); ++i) {
+  for (int i = 0; i < std::ssize(from.time); ++i) {
     to.time.push_back(delay_s + (from.time[i] - from.time[0]));
     add_labels(from, i, to);
   }
@@ -142,32 +137,32 @@ std::string initial_motion_error(const RobotModel& robot, const Trajectory& traj
 
 std::string continuity_error(const RobotModel& robot, const Trajectory& first,
                              const Trajectory& second) {
-  constexpr std::array<const char*, 3> kWhat = {"position", "velocity", "acceleration"};
-  for (std::size_t order = 0; order < kDerivativeRows.size(); ++order) {
+  constexpr std::array<const char*, 3> kQuantities = {"position", "velocity", "acceleration"};
+  for (int order = 0; order < std::ssize(kDerivativeRows); ++order) {
     const JointRows& before = first.*kDerivativeRows[order];
     const JointRows& after = second.*kDerivativeRows[order];
     Eigen::Index joint = 0;
     const double step = (after.row(0) - before.row(before.rows() - 1)).cwiseAbs().maxCoeff(&joint);
     if (step <= kContinuityTolerance[order]) continue;
-    return fmt::format("the {} of {} jumps by {:.2g}", kWhat[order], robot.joint_names[joint],
+    return fmt::format("the {} of {} jumps by {:.2g}", kQuantities[order], robot.joint_names[joint],
                        step);
   }
   return "";
 }
 
 Trajectory concatenate(const Trajectory& first, const Trajectory& second) {
-  const std::size_t before = first.samples() - 1;
-  Trajectory both = make_trajectory(before + second.samples(), first.position.cols());
+  const Eigen::Index before = last_of(first);
+  Trajectory both = make_trajectory(before + second.position.rows(), first.position.cols());
   for (const auto rows : kDerivativeRows) {
     const JointRows& after = second.*rows;
     (both.*rows).topRows(before) = (first.*rows).topRows(before);
     (both.*rows).bottomRows(after.rows()) = after;
   }
-  for (std::size_t i = 0; i < before; ++i) {
+  for (int i = 0; i < before; ++i) {
     both.time.push_back(first.time[i]);
     add_labels(first, i, both);
   }
-  for (std::size_t i = 0; i < second.samples(); ++i) {
+  for (int i = 0; i < std::ssize(second.time); ++i) {
     both.time.push_back(first.time.back() + (second.time[i] - second.time[0]));
     add_labels(second, i, both);
   }

@@ -20,12 +20,10 @@ Eigen::RowVector4d wxyz(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 }  // namespace
 
 RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz) {
-  for (std::size_t j = 0; j < robot.joints(); ++j) {
-    const auto joint = static_cast<Eigen::Index>(j);
-    if (!std::isfinite(robot.upper[joint] - robot.lower[joint])) {
-      throw InputError(
-          fmt::format("joint {} has no limits to scale actions by", robot.joint_names[j]));
-    }
+  for (int j = 0; j < std::ssize(robot.joint_names); ++j) {
+    if (std::isfinite(robot.upper[j] - robot.lower[j])) continue;
+    throw InputError(
+        fmt::format("joint {} has no limits to scale actions by", robot.joint_names[j]));
   }
   nlohmann::ordered_json tips = nlohmann::ordered_json::array();
   for (const RobotModel::Tip& tip : robot.tips) tips.push_back(tip.name);
@@ -39,9 +37,8 @@ RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz) {
 
 RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool target) {
   const Trajectory& t = plan.trajectory;
-  const auto samples = static_cast<Eigen::Index>(t.samples());
-  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
-  JointRows tip_positions(samples, 3 * tips), palm_position(samples, 3), palm_turn(samples, 4);
+  const Eigen::Index samples = std::ssize(t.time), tips = std::ssize(robot.tips);
+  JointRows tip_positions(samples, 3 * tips), palm_position(samples, 3), palm_quat(samples, 4);
   JointRows phase = JointRows::Zero(samples, enum_count<PhaseKind>());
   std::vector<Pose> base_from_frame;
   for (Eigen::Index i = 0; i < samples; ++i) {
@@ -52,10 +49,10 @@ RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool tar
     }
     const Pose& palm = base_from_frame[robot.palm_frame];
     palm_position.row(i) = palm.translation().transpose();
-    palm_turn.row(i) = wxyz(Quat(palm.linear()));
+    palm_quat.row(i) = wxyz(Quat(palm.linear()));
     // A quaternion and its negative are the same rotation; keep the sign continuous.
-    if (i > 0 && palm_turn.row(i).dot(palm_turn.row(i - 1)) < 0) palm_turn.row(i) *= -1;
-    phase(i, static_cast<Eigen::Index>(t.phase[static_cast<std::size_t>(i)])) = 1;
+    if (i > 0 && palm_quat.row(i).dot(palm_quat.row(i - 1)) < 0) palm_quat.row(i) *= -1;
+    phase(i, static_cast<int>(t.phase[i])) = 1;
   }
   RobomimicDemo demo{fmt::format("{}/{:03}", plan.demonstration, plan.movement.index),
                      plan.subject,
@@ -66,7 +63,7 @@ RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool tar
                       {"joint_velocities", t.velocity},
                       {"tip_positions", tip_positions},
                       {"palm_position", palm_position},
-                      {"palm_orientation", palm_turn},
+                      {"palm_orientation", palm_quat},
                       {"demonstration_phase", phase}},
                      plan.grasp.sample >= 0 ? plan.grasp : Grasp(),
                      store::joint_unit(robot.has_prismatic_joint())};

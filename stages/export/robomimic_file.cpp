@@ -13,16 +13,17 @@
 namespace morphe::exports {
 namespace {
 
+/// Returns the actions scaled to [-1, 1].
 JointRows scaled(const JointRows& actions, const JointVector& offset, const JointVector& scale) {
-  JointRows out = actions.rowwise() - offset.transpose();
-  for (Eigen::Index j = 0; j < out.cols(); ++j) {
-    // A joint with an empty range does not move; rounding may lead slightly beyond a limit.
+  JointRows result = actions.rowwise() - offset.transpose();
+  // A joint with an empty range does not move. Rounding may lead slightly beyond a limit: clamped.
+  for (Eigen::Index j = 0; j < result.cols(); ++j) {
     if (scale[j] > 0)
-      out.col(j) = (out.col(j) / scale[j]).cwiseMax(-1.0).cwiseMin(1.0);
+      result.col(j) = (result.col(j) / scale[j]).cwiseMax(-1.0).cwiseMin(1.0);
     else
-      out.col(j).setZero();
+      result.col(j).setZero();
   }
-  return out;
+  return result;
 }
 
 void write(const store::Hdf5Group& group, const std::string& name, const JointRows& rows) {
@@ -75,10 +76,10 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
     write(obs, name, rows.topRows(count));
     write(next_obs, name, rows.bottomRows(count));
   }
-  std::vector<double> last(count, 0);
-  last.back() = 1;
-  group.write("rewards", store::ArrayCodec<std::vector<double>>::encode(last));
-  group.write("dones", store::ArrayCodec<std::vector<double>>::encode(last));
+  std::vector<double> is_last(count, 0);
+  is_last.back() = 1;
+  group.write("rewards", store::ArrayCodec<std::vector<double>>::encode(is_last));
+  group.write("dones", store::ArrayCodec<std::vector<double>>::encode(is_last));
   if (!demo.grasp.contacts.empty()) {
     if (!s.grasps) s.grasps = s.file.root().create("grasps");
     store::LayoutWriter layout(s.grasps->create(fmt::format("demo_{}", s.demos)), demo.joint_unit);
@@ -108,9 +109,7 @@ void RobomimicWriter::finish() {
 std::vector<std::size_t> validation_demos(std::size_t count) {
   const std::size_t held_out = count < 2 ? 0 : std::max<std::size_t>(1, (count + 5) / 10);
   std::vector<std::size_t> demos;
-  for (std::size_t k = 0; k < held_out; ++k) {
-    demos.push_back((2 * k + 1) * count / (2 * held_out));
-  }
+  for (std::size_t k = 0; k < held_out; ++k) demos.push_back((2 * k + 1) * count / (2 * held_out));
   return demos;
 }
 

@@ -15,7 +15,7 @@ std::string quoted(const std::string& name) {
   std::string text = "\"";
   for (const char c : name) {
     if (static_cast<unsigned char>(c) < 0x20) {
-      fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<int>(c));
+      fmt::format_to(std::back_inserter(text), "\\u{:04x}", static_cast<unsigned char>(c));
       continue;
     }
     if (c == '"' || c == '\\') text += '\\';
@@ -26,9 +26,8 @@ std::string quoted(const std::string& name) {
 
 void add_number(double value, std::string& text) {
   std::string digits = fmt::format("{}", value);
-  if (digits.find('.') == std::string::npos) {
+  if (digits.find('.') == std::string::npos)
     digits.insert(std::min(digits.find('e'), digits.size()), ".0");
-  }
   text += digits;
 }
 
@@ -38,6 +37,7 @@ struct Keys {
   std::string operator()(const char* key) const { return fmt::format("{0}{1}{0}: ", quote, key); }
 };
 
+/// Adds one row as a list, after a key that ends with a colon.
 void add_row(const std::string& key, const JointRows& rows, Eigen::Index row, std::string& text) {
   text += key + "[";
   for (Eigen::Index j = 0; j < rows.cols(); ++j) {
@@ -47,22 +47,22 @@ void add_row(const std::string& key, const JointRows& rows, Eigen::Index row, st
   text += "], ";
 }
 
-/// Adds one line in flow style per point, with `begin` before it and `end` after all but the last.
-void add_points(const Trajectory& t, const Keys& key, const char* begin, const char* end,
+/// Adds one line in flow style per point: `prefix`, the point, and `separator` except after the
+/// last.
+void add_points(const Trajectory& t, const Keys& key, const char* prefix, const char* separator,
                 std::string& text) {
   constexpr std::int64_t kSecond = 1'000'000'000;
   std::int64_t last_ns = -1;
-  for (std::size_t i = 0; i < t.samples(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    text += begin;
+  for (int i = 0; i < std::ssize(t.time); ++i) {
+    text += prefix;
     text += "{";
-    add_row(key("positions"), t.position, row, text);
-    add_row(key("velocities"), t.velocity, row, text);
-    add_row(key("accelerations"), t.acceleration, row, text);
+    add_row(key("positions"), t.position, i, text);
+    add_row(key("velocities"), t.velocity, i, text);
+    add_row(key("accelerations"), t.acceleration, i, text);
     last_ns = std::max<std::int64_t>(last_ns + 1, std::llround(t.time[i] * kSecond));
     fmt::format_to(std::back_inserter(text), "{}{{{}{}, {}{}}}}}", key("time_from_start"),
                    key("sec"), last_ns / kSecond, key("nanosec"), last_ns % kSecond);
-    if (i + 1 < t.samples()) text += end;
+    if (i + 1 < std::ssize(t.time)) text += separator;
     text += "\n";
   }
 }

@@ -28,8 +28,6 @@ files::AtomicFile& StagedFiles::add(const std::string& name) {
   return files_.emplace_back(folder_ / name);
 }
 
-void StagedFiles::add(const std::string& name, const std::string& text) { add(name).write(text); }
-
 void StagedFiles::commit(bool replace) {
   for (const files::AtomicFile& file : files_) {
     if (replace || !std::filesystem::exists(file.target())) continue;
@@ -38,15 +36,15 @@ void StagedFiles::commit(bool replace) {
         fmt::format("{}: already exists with other content: give another --out, or --replace",
                     file.target().string()));
   }
-  std::vector<std::filesystem::path> made;
+  std::vector<std::filesystem::path> created;
   try {
     for (files::AtomicFile& file : files_) {
-      if (!std::filesystem::exists(file.target())) made.push_back(file.target());
+      if (!std::filesystem::exists(file.target())) created.push_back(file.target());
       file.commit();
     }
   } catch (const InputError&) {
     std::error_code ignored;
-    for (const std::filesystem::path& file : made) std::filesystem::remove(file, ignored);
+    for (const std::filesystem::path& file : created) std::filesystem::remove(file, ignored);
     throw;
   }
 }

@@ -10,21 +10,20 @@
 
 namespace morphe::exports {
 
-/// Files of one folder that appear together: each is written as "<name>.part" and renamed by
-/// commit(); without commit() all of them are removed.
+/// Files of one folder that appear together. Each is written as "<name>.part" and renamed by
+/// commit(); without commit() the parts are removed.
 class StagedFiles {
  public:
   explicit StagedFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-  /// Adds a file, to be written by the caller at part(). Throws InputError if the name is already
-  /// in use.
+  /// Adds a file, which the caller writes at its part(). Throws InputError if the name was added
+  /// before.
   files::AtomicFile& add(const std::string& name);
-  /// Adds a file with the given content.
-  void add(const std::string& name, const std::string& text);
-  /// Renames all files. Throws InputError, without changing any file, if a file with other content
-  /// exists and may not be replaced.
+  void add(const std::string& name, const std::string& text) { add(name).write(text); }
+  /// Renames all files. Throws InputError, without changing any file, if one of them exists with
+  /// other content and `replace` is false. Throws InputError if a file cannot be renamed; the new
+  /// files are then removed again, but replaced ones are not restored.
   void commit(bool replace);
-  /// Returns the names of the files.
-  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& names() const { return names_; }  ///< in the order of add()
 
  private:
   std::filesystem::path folder_;

@@ -4,41 +4,40 @@
 
 namespace morphe::grasp {
 
-/// Returns the contacts that the person's fingertips made with the target. For each of the robot's
-/// tips that has goals and a pad, the contact is the point of the surface nearest to the mean of
-/// the nearest points of its goals, over the frames of grasp and hold in which the skin (at
-/// `pad_depth` from the goal) is within the option `near` of the surface. A tip has no contact if
-/// it touches in less than `least_share` of the frames in which it was seen. The confidence is that
-/// share times exp(-mean gap / near). For a target that was inferred from the tips the distance is
-/// zero by construction.
+/// Returns the contacts that the person's fingertips made with the target. A tip of the robot with
+/// goals and a pad touches in the frames of grasp and hold in which the skin (pad_depth_m from the
+/// goal) is within touch_distance_m of the surface, or deeper. Its contact is the point of the
+/// surface nearest to the mean of the surface points nearest to its goals in these frames. It has
+/// no contact if these frames are less than min_contact_share of those in which it has a goal. The
+/// confidence is that share times exp(-mean |gap| / touch_distance_m).
 std::vector<DesiredContact> demonstrated_contacts(const robot::Robot& robot, const Goals& goals,
                                                   const Movement& movement,
                                                   const collision::Solid& target,
                                                   const GraspOptions& options);
 
-/// Moves contacts along the surface, no further than needed, until the pad spheres of neighbouring
-/// fingers are `margin_m` apart. A robot's fingers are wider than a person's.
+/// Moves contacts along the surface, no further than needed, until the spheres of all pads, which
+/// are wider than a person's, are `margin_m` apart (to 0.1 mm) or after 50 rounds.
 void separate_contacts(const robot::Robot& robot, const collision::Solid& target, double margin_m,
                        std::vector<DesiredContact>& touches);
 
-/// Returns the same contact at the surface point nearest to `near` [target frame, m].
+/// Returns the same contact at the surface point nearest to `point` [target frame, m].
 DesiredContact project_contact(const robot::Robot& robot, const collision::Solid& target,
-                               const Vec3& near, DesiredContact touch);
+                               const Vec3& point, DesiredContact touch);
 
 /// Sets goals that bring the pads to their contacts. During the preshape the goal of each tip is
-/// blended by closing_progress() from the human tip to the centre of the pad's sphere beside the
-/// surface, and back after the release. In between, the goal stays outside the target by at least
-/// sqrt(share) radius + 4 share (1 - share) aperture: a finger also approaches from the side, and
-/// the hand opens around the target before it closes. The target has its recorded pose; if the hand
-/// carries it as an object attached to its palm, the offset from tip to pad stays as it was when
-/// the object was attached.
+/// blended by share = closing_progress() from the human tip to the centre of the pad's sphere
+/// beside the surface, and back after the release. While it is blended, the goal stays outside the
+/// target by at least
+///   sqrt(share) radius + 4 share (1 - share) aperture_m,
+/// because a finger also approaches from the side, and the hand opens around the target before it
+/// closes. Once the target is attached to the palm, the offset from tip to pad stays as it was
+/// then.
 void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>& touches,
                    const Movement& movement, const collision::Solid& target, double aperture_m,
                    Goals& goals);
 
-/// Keeps the goals of tips without a contact outside the target by the radius of their pads times
-/// the square root of closing_progress(). A person's fingertip beside the touching ones is thinner
-/// than a robot's, and the shape that it touches is less exact.
+/// Keeps the goals of tips without a contact outside the target by the radius of their pads, which
+/// are thicker than a person's, times the square root of closing_progress().
 void keep_goals_outside(const robot::Robot& robot, const std::vector<std::size_t>& tips,
                         const Movement& movement, const collision::Solid& target, Goals& goals);
 

@@ -1,7 +1,6 @@
 #include "stages/grasp/desired_contact.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace morphe::grasp {
 namespace {
@@ -43,26 +42,26 @@ SurfacePoint nearest_surface(const collision::Solid& solid, const Vec3& point) {
 }
 
 HoldInterval hold_interval(const Movement& movement) {
-  HoldInterval when;
+  HoldInterval interval;
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
-  if (!grasp || grasp->begin_s > movement.end_s) return when;
+  if (!grasp || grasp->begin_s > movement.end_s) return interval;
   const Phase* hold = last_phase(movement, PhaseKind::hold);
   const Phase* preshape = last_phase(movement, PhaseKind::preshape);
   const Phase* transport = last_phase(movement, PhaseKind::transport);
-  when.begin_s = grasp->begin_s;
-  when.end_s = std::min(movement.end_s, std::max(grasp->end_s, hold ? hold->end_s : 0));
-  when.open_s = preshape && preshape->begin_s < grasp->begin_s
-                    ? preshape->begin_s
-                    : grasp->begin_s - kReleaseDuration_s;
-  when.release_s = transport ? transport->end_s : kInfinity;
-  return when;
+  interval.begin_s = grasp->begin_s;
+  interval.end_s = std::min(movement.end_s, std::max(grasp->end_s, hold ? hold->end_s : 0));
+  interval.open_s = preshape && preshape->begin_s < grasp->begin_s
+                        ? preshape->begin_s
+                        : grasp->begin_s - kReleaseDuration_s;
+  interval.release_s = transport ? transport->end_s : kInfinity;
+  return interval;
 }
 
-double closing_progress(const HoldInterval& when, double time_s) {
-  if (!(time_s > when.open_s)) return 0;
-  const double closing = smoothstep((time_s - when.open_s) / (when.begin_s - when.open_s));
-  return time_s <= when.release_s ? closing
-                                  : 1 - smoothstep((time_s - when.release_s) / kReleaseDuration_s);
+double closing_progress(const HoldInterval& hold, double time_s) {
+  if (!(time_s > hold.open_s)) return 0;
+  const double closing = smoothstep((time_s - hold.open_s) / (hold.begin_s - hold.open_s));
+  return time_s <= hold.release_s ? closing
+                                  : 1 - smoothstep((time_s - hold.release_s) / kReleaseDuration_s);
 }
 
 }  // namespace morphe::grasp

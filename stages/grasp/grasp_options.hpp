@@ -6,22 +6,18 @@ namespace morphe::grasp {
 
 /// Options for contacts with the object's surface (config section `grasp`).
 struct GraspOptions {
-  /// Distance from a person's fingertip (on the finger's axis) to the skin.
-  double pad_depth_m = 0.011;
+  double pad_depth_m = 0.011;       ///< from a fingertip on the finger's axis to the skin
   double touch_distance_m = 0.010;  ///< distance from the surface at which skin touches it
-  /// Least share of a tip's seen frames in grasp and hold in which it touches.
-  double min_contact_share = 0.5;
-  /// Clearance of the skin from the object halfway to contact.
-  double preshape_clearance_m = 0.005;
-  bool close_fingers = true;  ///< true if fingers without goals are closed onto the object
-  /// Allowed depth of pads in the object; replaces check.max_penetration.
-  double max_penetration_m = 0.001;
-  double max_link_penetration_m = 0;  ///< allowed depth of the hand's other links in the object
+  double min_contact_share = 0.5;   ///< smallest share of a tip's seen frames in which it touches
+  double preshape_clearance_m = 0.005;  ///< of the skin from the object halfway to contact
+  bool close_fingers = true;          ///< true if fingers without goals are closed onto the object
+  double max_penetration_m = 0.001;   ///< of pads into the object; replaces check.max_penetration
+  double max_link_penetration_m = 0;  ///< of the hand's other links
   double friction_coefficient = 0.8;
   double torsional_friction_m = 0.002;  ///< that of a pad with a contact radius of 4 mm
   double mass_kg = 0.3;                 ///< mass of the grasped object
   double max_finger_force = 8;          ///< force of the finger that presses most [N]
-  double min_finger_force_share = 0.3;  ///< least share of that force for every finger
+  double min_finger_force_share = 0.3;  ///< smallest share of that force for every finger
   double max_joint_torque = 1;          ///< torque limit of a finger's joint [N m]
   double joint_stiffness = 10;          ///< stiffness of the joint's servo [N m/rad]
 };

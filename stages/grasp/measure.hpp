@@ -5,8 +5,9 @@
 
 namespace morphe::grasp {
 
-/// Measures the contacts of a posture: the distance from the capsule of each desired contact's pad
-/// to the target and the contact point, in the frame of the target at its pose at `time_s`.
+/// Measures the contacts of posture q at `time_s`: for each desired contact, the signed distance of
+/// its pad from the target, and the nearest point of the target's surface with its normal in the
+/// target's frame. Returns no contacts if `world` has no target.
 std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
                                          const std::vector<DesiredContact>& touches,
                                          const JointVector& q, double time_s);

@@ -1,5 +1,7 @@
 #include "stages/import/import.hpp"
 
+#include "core/files/atomic_file.hpp"
+#include "core/store/demonstration_file.hpp"
 #include "stages/import/folders/find_recordings.hpp"
 #include "stages/import/folders/read_recording.hpp"
 
@@ -23,6 +25,21 @@ ImportResult import_recordings(const ImportRequest& request,
     imported.entries.push_back(std::move(entry));
   }
   require_recordings(request, imported);
+  return imported;
+}
+
+ImportResult write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
+                                  const std::function<void(const Demonstration&)>& seen) {
+  for (const std::filesystem::path& path : request.paths) files::expect_not_input(out, path);
+  store::DemonstrationWriter writer(out);
+  ImportResult imported = import_recordings(request, [&](Demonstration&& demonstration) {
+    writer.add(demonstration);
+    if (seen) seen(demonstration);
+  });
+  for (ManifestEntry& entry : imported.entries) {
+    for (const std::string* file : paths_of(entry)) files::expect_not_input(out, *file);
+  }
+  writer.finish();
   return imported;
 }
 

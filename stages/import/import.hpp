@@ -8,16 +8,15 @@
 
 namespace morphe::imports {
 
-/// Reads every recording and passes it to the sink, in the order of the request. Only one is in
-/// memory at a time. Throws InputError "FILE:LINE: KEY: message" (KEY is a column for CSV) for any
-/// violation of a recording's format, and for repeated names. With a folder among the paths, a
-/// recording that cannot be read is skipped with its reason; InputError if no recording can be
-/// read.
+/// Reads the recordings one at a time, in the order of the request, and passes each to `sink`.
+/// Throws InputError "FILE:LINE: KEY: message" (KEY is a column for CSV) for a violation of a
+/// format and for repeated names. If a path of the request is a folder, recordings that cannot be
+/// read are skipped with their reasons, and InputError is thrown only if no other was read.
 ImportResult import_recordings(const ImportRequest& request,
                                const std::function<void(Demonstration&&)>& sink);
 
-/// Reads the recordings and writes them to a demonstrations.h5 (core/store/demonstration_file.hpp).
-/// `seen` is called with each of them.
+/// Writes the recordings to `out`, a demonstrations.h5 (core/store/demonstration_file.hpp), and
+/// calls `seen` with each. Throws InputError as above, and if `out` is one of the files read.
 ImportResult write_demonstrations(const ImportRequest& request, const std::filesystem::path& out,
                                   const std::function<void(const Demonstration&)>& seen = {});
 

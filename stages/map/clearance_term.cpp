@@ -8,20 +8,16 @@
 namespace morphe::map {
 namespace {
 
-/// Computes the gradient of the missing slack of a pair: positive for joints that bring the bodies
-/// nearer.
-void compute_slack_gradient(const collision::CollisionWorld& world,
-                            const collision::PairSeparation& pair,
+/// Computes the gradient of band - slack: positive for joints that bring the bodies nearer.
+void missing_slack_gradient(const RobotModel& robot, const collision::PairSeparation& pair,
                             const std::vector<Pose>& base_from_frame, JointVector& slope) {
-  const RobotModel& robot = *world.robot;
-  const auto frame_of = [&](int capsule) { return robot.capsules[capsule].frame; };
-  const int first = frame_of(pair.capsule),
-            second = pair.other_is_object ? -1 : frame_of(pair.other);
-  const int both = robot::common_ancestor(robot, first, second);  // moves both bodies alike
+  const int first = robot.capsules[pair.capsule].frame;
+  const int second = pair.other_is_object ? -1 : robot.capsules[pair.other].frame;
+  const int common = robot::common_ancestor(robot, first, second);  // its joints move both alike
   const collision::Separation& s = pair.separation;
   slope.setZero();
-  robot::add_point_gradient(robot, base_from_frame, first, both, s.on_first, -s.normal, slope);
-  robot::add_point_gradient(robot, base_from_frame, second, both, s.on_second, s.normal, slope);
+  robot::add_point_gradient(robot, base_from_frame, first, common, s.on_first, -s.normal, slope);
+  robot::add_point_gradient(robot, base_from_frame, second, common, s.on_second, s.normal, slope);
 }
 
 }  // namespace
@@ -46,25 +42,23 @@ void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& w
   collision::update_bodies_from_frames(world, time_s, scratch.collision);
   collision::near_pairs(world, time_s, term.activation_distance_m, scratch.collision,
                         scratch.pairs);
-  JointVector& slope = scratch.slack_gradient;
+  JointVector& slope = scratch.missing_gradient;
   slope.resize(model.gradient.size());
   for (const collision::PairSeparation& pair : scratch.pairs) {
-    // A pair that may touch has a band that ends at the surface.
-    const double band = pair.required_distance_m < 0
-                            ? std::min(term.activation_distance_m, -pair.required_distance_m)
-                            : term.activation_distance_m;
-    const double missing = band - pair.slack();
-    if (missing <= 0) continue;
-    compute_slack_gradient(world, pair, scratch.collision.base_from_frame, slope);
-    model.value += term.weight * missing * missing;
+    double band = term.activation_distance_m;
+    if (pair.required_distance_m < 0) band = std::min(band, -pair.required_distance_m);
+    const double missing_slack_m = band - pair.slack();
+    if (missing_slack_m <= 0) continue;
+    missing_slack_gradient(*world.robot, pair, scratch.collision.base_from_frame, slope);
+    model.value += term.weight * missing_slack_m * missing_slack_m;
     scratch.active_joints.clear();
     for (Eigen::Index j = 0; j < slope.size(); ++j) {
       if (slope[j] != 0) scratch.active_joints.push_back(j);
     }
     for (const Eigen::Index j : scratch.active_joints) {
-      model.gradient[j] += 2 * term.weight * missing * slope[j];
-      const double heavy = 2 * term.weight * slope[j];
-      for (const Eigen::Index i : scratch.active_joints) model.hessian(i, j) += heavy * slope[i];
+      model.gradient[j] += 2 * term.weight * missing_slack_m * slope[j];
+      const double factor = 2 * term.weight * slope[j];
+      for (const Eigen::Index i : scratch.active_joints) model.hessian(i, j) += factor * slope[i];
     }
   }
 }

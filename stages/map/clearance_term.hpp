@@ -5,15 +5,13 @@
 
 namespace morphe::map {
 
-/// A penalty on small clearances, in addition to the paper's terms: weight * sum over pairs of
-/// max(0, band - slack)², with the slack of the collision check (distance less the required
-/// margin), so that the mapping keeps some clearance from the robot itself and from fixed
-/// obstacles. It is zero beyond the band and once differentiable. For a pair that may touch, the
-/// band is no wider than its allowed penetration depth, so that it ends at the surface.
+/// A penalty on small clearances from the robot itself and from obstacles, in addition to the
+/// paper's terms: weight * sum over pairs of max(0, band - slack)², with the slack of the collision
+/// check (distance less the required margin). For a pair that may touch, the band is at most as
+/// wide as the allowed penetration is deep, so that it ends at the surface. Once differentiable.
 struct ClearanceTerm {
   double weight = 2000;  ///< weight per m²; 0 disables the term, as in the paper's studies
-  /// The band: slack below which the term is active [m].
-  double activation_distance_m = 0.005;
+  double activation_distance_m = 0.005;  ///< width of the band
 };
 template <class Fields>
 void fields(Fields& f, ClearanceTerm& o) {
@@ -27,13 +25,12 @@ std::string validation_error(const ClearanceTerm& term);
 struct ClearanceScratch {
   collision::CollisionScratch collision;
   std::vector<collision::PairSeparation> pairs;  ///< pairs within the band
-  /// [n] gradient of the amount by which the slack is missing from the band.
-  JointVector slack_gradient;
-  /// The few joints that change the distance of the two bodies of a pair.
-  std::vector<Eigen::Index> active_joints;
+  JointVector missing_gradient;                  ///< [n] gradient of band - slack
+  std::vector<Eigen::Index> active_joints;       ///< joints that change the distance of a pair
 };
 
-/// Adds the value, gradient and Gauss-Newton Hessian of the term at q to `model`.
+/// Adds the term at q, with the objects where they are at `time_s`, to `model` (already sized n):
+/// its value, gradient and Gauss-Newton Hessian.
 void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
                    const JointVector& q, double time_s, ClearanceScratch& scratch,
                    solve::Quadratic& model);

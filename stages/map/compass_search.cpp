@@ -4,30 +4,28 @@
 
 namespace morphe::map {
 
-Vec3 compass_search(const std::function<double(const Vec3&)>& function, double limit,
-                    double finest) {
-  Vec3 best = Vec3::Zero();
-  double least = function(best);
-  for (double step = limit / 2; step >= finest; step /= 2) {
-    bool gained = true;
-    while (gained) {
-      gained = false;
-      for (Eigen::Index axis = 0; axis < 3; ++axis) {
-        for (const double way : {step, -step}) {
-          Vec3 next = best;
-          next[axis] = std::clamp(next[axis] + way, -limit, limit);
-          if (next == best) continue;
-          const double value = function(next);
-          if (!(value < least)) continue;
-          best = next;
-          least = value;
-          gained = true;
+Vec3 compass_search(const std::function<double(const Vec3&)>& f, double limit, double min_step) {
+  Vec3 best_point = Vec3::Zero();
+  double best_value = f(best_point);
+  for (double step = limit / 2; step >= min_step; step /= 2) {
+    for (bool improved = true; improved;) {
+      improved = false;
+      for (int axis = 0; axis < 3; ++axis) {
+        for (const double change : {step, -step}) {
+          Vec3 candidate = best_point;
+          candidate[axis] = std::clamp(candidate[axis] + change, -limit, limit);
+          if (candidate == best_point) continue;
+          const double value = f(candidate);
+          if (!(value < best_value)) continue;
+          best_point = candidate;
+          best_value = value;
+          improved = true;
           break;
         }
       }
     }
   }
-  return best;
+  return best_point;
 }
 
 }  // namespace morphe::map

@@ -6,11 +6,9 @@
 
 namespace morphe::map {
 
-/// Finds a local minimum of a function of three variables inside |x_k| <= limit, starting from
-/// zero. The search moves along each axis as long as the value decreases, in steps of limit / 2,
-/// then half of that, down to `finest`. It is meant for functions without a gradient. The same
-/// function gives the same bits.
-Vec3 compass_search(const std::function<double(const Vec3&)>& function, double limit,
-                    double finest);
+/// Returns a local minimum of f inside |x_k| <= limit, found without a gradient. Starts at
+/// zero with steps of limit / 2 along the axes. Steps as long as one decreases the value, then
+/// halves the step; ends before steps shorter than `min_step`. Returns zero if there is no step.
+Vec3 compass_search(const std::function<double(const Vec3&)>& f, double limit, double min_step);
 
 }  // namespace morphe::map

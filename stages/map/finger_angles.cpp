@@ -1,6 +1,5 @@
 #include "stages/map/finger_angles.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/humanlike/loads.hpp"
@@ -8,40 +7,37 @@
 #include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
 #include "core/solve/minimise.hpp"
+#include "stages/map/constants.hpp"
 #include "stages/map/finger_curve.hpp"
 
 namespace morphe::map {
 namespace {
 
-using Eigen::Index;
-constexpr std::size_t kBones = 3;             ///< number of bones of a human finger beyond the palm
-constexpr double kCoincidentHinges_m = 1e-6;  ///< distance below which two hinges coincide [m]
-constexpr double kStature_m = 1.7;            ///< [m]
+constexpr int kBones = 3;                  ///< number of bones of a human finger beyond the palm
+constexpr double kAverageStature_m = 1.7;  ///< any stature would do: only angles count
 
-/// Returns the robot with only the joints beyond its palm, listed in `joints`.
+/// Returns the robot with the joints beyond its palm alone; appends their indices to `joints`.
 RobotModel extract_hand(const RobotModel& robot, std::vector<int>& joints) {
   RobotModel hand = robot;
-  for (std::size_t i = 0; i < hand.frames.size(); ++i) {
-    int& joint = hand.frames[i].joint;
-    const auto frame = static_cast<int>(i);
+  std::vector<int> hand_joint_of(robot.joint_names.size(), -1);
+  int count = 0;
+  hand.joint_names.clear();
+  for (int frame = 0; frame < std::ssize(hand.frames); ++frame) {
+    int& joint = hand.frames[frame].joint;
     if (joint < 0 || frame == robot.palm_frame ||
         !robot::is_in_subtree(robot, frame, robot.palm_frame)) {
       joint = -1;
       continue;
     }
-    auto known = std::ranges::find(joints, joint);
-    if (known == joints.end()) known = joints.insert(known, joint);
-    joint = static_cast<int>(known - joints.begin());
+    if (hand_joint_of[joint] < 0) {
+      hand_joint_of[joint] = count++;
+      joints.push_back(joint);
+      hand.joint_names.push_back(robot.joint_names[joint]);
+    }
+    joint = hand_joint_of[joint];
   }
-  hand.joint_names.clear();
-  hand.lower.resize(joints.size());
-  hand.upper.resize(hand.lower.size());
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const int of = joints[j];
-    hand.joint_names.push_back(robot.joint_names[of]);
-    hand.lower[j] = robot.lower[of];
-    hand.upper[j] = robot.upper[of];
-  }
+  hand.lower = robot.lower(joints);
+  hand.upper = robot.upper(joints);
   return hand;
 }
 
@@ -50,16 +46,15 @@ JointVector zero_posture(const RobotModel& robot) { return JointVector::Zero(rob
 Vec3 origin(const std::vector<Pose>& poses, int frame) { return poses[frame].translation(); }
 
 /// Returns the last three distinct hinges of a finger, the knuckle first.
-std::vector<int> hinges_of(const RobotModel& robot, const std::vector<Pose>& poses,
-                           std::size_t tip) {
+std::vector<int> hinges_of(const RobotModel& robot, const std::vector<Pose>& poses, int tip) {
   std::vector<int> hinges;
-  Vec3 beyond = robot::tip_pose(robot, poses, tip).translation();
+  Vec3 next_origin = robot::tip_pose(robot, poses, tip).translation();
   for (const int frame : robot::ancestors(robot, robot.tips[tip].frame)) {
     if (frame == robot.palm_frame) break;
     if (robot::joint_of(robot, frame) < 0) continue;
-    if ((origin(poses, frame) - beyond).norm() < kCoincidentHinges_m) continue;
+    if ((origin(poses, frame) - next_origin).norm() < kCoincidentHinges_m) continue;
     if (hinges.size() == kBones) break;
-    beyond = origin(poses, frame);
+    next_origin = origin(poses, frame);
     hinges.insert(hinges.begin(), frame);
   }
   return hinges;
@@ -67,7 +62,7 @@ std::vector<int> hinges_of(const RobotModel& robot, const std::vector<Pose>& pos
 
 /// Returns the positions of the finger's joints, its tip last.
 humanlike::Chain chain_at(const RobotModel& robot, const std::vector<Pose>& poses,
-                          const std::vector<int>& hinges, std::size_t tip) {
+                          const std::vector<int>& hinges, int tip) {
   humanlike::Chain chain;
   for (const int frame : hinges) chain.push_back(origin(poses, frame));
   chain.push_back(robot::tip_pose(robot, poses, tip).translation());
@@ -79,11 +74,11 @@ humanlike::Chain chain_at(const RobotModel& robot, const std::vector<Pose>& pose
 FingerAngles::FingerAngles(const RobotModel& robot)
     : hand(extract_hand(robot, joints)),
       robot_joints(robot.joints()),
-      human(human::human_hand(human::hand_size_of_stature(kStature_m))) {
+      human(human::human_hand(human::hand_size_of_stature(kAverageStature_m))) {
   std::vector<Pose> poses;
   robot::forward_kinematics(hand, zero_posture(hand), poses);
   base_from_palm = poses[hand.palm_frame];
-  for (std::size_t tip = 0; tip < hand.tips.size(); ++tip) {
+  for (int tip = 0; tip < std::ssize(hand.tips); ++tip) {
     if (hand.tips[tip].finger < 0) continue;
     Finger finger;
     finger.human = hand.tips[tip].finger;
@@ -102,17 +97,17 @@ FingerAngles::FingerAngles(const RobotModel& robot)
 
 humanlike::Chain FingerAngles::human_chain(const Finger& finger,
                                            const std::vector<Pose>& poses) const {
-  const auto of = [&](std::size_t k) {
-    return chain_at(human, poses, hinges_of(human, poses, k), k);
+  const auto chain_of = [&](int tip) {
+    return chain_at(human, poses, hinges_of(human, poses, tip), tip);
   };
-  if (!std::isfinite(finger.curve_share)) return of(finger.human);
-  const std::array<humanlike::Chain, 4> four = {of(1), of(2), of(3), of(4)};
-  humanlike::Chain between;
-  for (std::size_t i = 0; i <= kBones; ++i) {
-    between.push_back(
-        finger_curve_point({four[0][i], four[1][i], four[2][i], four[3][i]}, finger.curve_share));
+  if (!std::isfinite(finger.curve_share)) return chain_of(finger.human);
+  const auto index = chain_of(1), middle = chain_of(2), ring = chain_of(3), little = chain_of(4);
+  humanlike::Chain interpolated;
+  for (int i = 0; i <= kBones; ++i) {
+    const std::array<Vec3, 4> finger_points = {index[i], middle[i], ring[i], little[i]};
+    interpolated.push_back(finger_curve_point(finger_points, finger.curve_share));
   }
-  return between;
+  return interpolated;
 }
 
 JointVector FingerAngles::operator()(const JointVector& human_angles) {
@@ -135,17 +130,17 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   problem.upper = hand.upper;
   humanlike::Loads loads;
   humanlike::LoadSweep sweep;
-  problem.model = [&](const JointVector& at, solve::Quadratic& model) {
-    constexpr double kPositionWeight = 1e4;  // per m²: a centimetre counts as one
-    robot::forward_kinematics(hand, at, poses);
+  problem.model = [&](const JointVector& posture, solve::Quadratic& model) {
+    robot::forward_kinematics(hand, posture, poses);
     loads.reset(hand.frames.size(), humanlike::Curvature::gauss_newton);
-    for (std::size_t k = 0; k < fingers.size(); ++k) {
+    for (int k = 0; k < std::ssize(fingers); ++k) {
       const Finger& finger = fingers[k];
-      const humanlike::Chain reached = chain_at(hand, poses, finger.frames, finger.tip);
-      for (std::size_t i = 1; i < reached.size(); ++i) {
+      const humanlike::Chain reached_chain = chain_at(hand, poses, finger.frames, finger.tip);
+      for (int i = 1; i < std::ssize(reached_chain); ++i) {
         if (!is_known(goals[k][i])) continue;
-        const int frame = i < finger.frames.size() ? finger.frames[i] : hand.tips[finger.tip].frame;
-        loads.add_point(frame, reached[i], goals[k][i], kPositionWeight, true);
+        const int frame =
+            i < std::ssize(finger.frames) ? finger.frames[i] : hand.tips[finger.tip].frame;
+        loads.add_point(frame, reached_chain[i], goals[k][i], kFingerPositionWeight_per_m2, true);
       }
     }
     humanlike::add_derivatives(hand, poses, loads, sweep, model);
@@ -153,11 +148,9 @@ JointVector FingerAngles::operator()(const JointVector& human_angles) {
   warm_start = solve::minimise(problem, warm_start, solve::MinimiseOptions{}).x;
 
   JointVector angles = JointVector::Constant(robot_joints, kUnknown);
-  for (std::size_t k = 0; k < fingers.size(); ++k) {
+  for (int k = 0; k < std::ssize(fingers); ++k) {
     if (!is_known(goals[k].back())) continue;
-    for (const int joint : fingers[k].joints) {
-      angles[joints[joint]] = warm_start[joint];
-    }
+    for (const int joint : fingers[k].joints) angles[joints[joint]] = warm_start[joint];
   }
   return angles;
 }

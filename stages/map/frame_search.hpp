@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "core/solve/minimise.hpp"
@@ -9,32 +8,26 @@
 
 namespace morphe::map {
 
-/// Returns a random position inside the joint limits, the same on any machine.
-JointVector random_start(const RobotModel& robot, std::mt19937_64& random);
-
 /// Returns a local minimum of one frame's objective from a start, found by `options.algorithm`.
 solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
                            const JointVector& start, const solve::MinimiseOptions& options,
                            MappingScratch& scratch);
 
-/// Returns options with a limit on the evaluations, chosen so that Newton's method converges far
-/// enough. Other algorithms keep their own limit.
+/// Returns the options with at most `evaluations` for `trust_region`; unchanged for the others.
 solve::MinimiseOptions limit_evaluations(solve::MinimiseOptions options, int evaluations);
 
-/// Options of the two stages of a search: from every random start, and from the best minima found
-/// by these.
+/// Options of a search's descents: `first` from every random start, `then` from the best minima.
 struct SearchStages {
-  solve::MinimiseOptions first, then;  ///< options of the first and second stage
+  solve::MinimiseOptions first, then;
 };
-/// Returns the stages of a search in which the second stage has full accuracy.
+/// Returns the stages of a search that finds minima to full accuracy in its second stage.
 SearchStages thorough_stages(const solve::MinimiseOptions& options);
-/// Returns the stages of a search that only distinguishes minima, which are tracked and smoothed
-/// later.
+/// Returns the stages of a search that only tells apart minima, which are tracked and smoothed.
 SearchStages quick_stages(const solve::MinimiseOptions& options);
 
-/// Returns the distinct local minima of one frame (more than 0.1 rad apart in some joint), the best
-/// first and at most `keep` of them, from `starts` random positions inside the limits. The same
-/// seed gives the same starts on any machine.
+/// Returns at most `keep` distinct local minima of one frame's objective, the best first, found
+/// from `starts` random positions inside the limits. Equivalent postures (PostureSymmetries) within
+/// kSameMinimum_rad are one minimum. A seed gives the same starts on any machine.
 std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::size_t frame,
                                          int starts, int keep, const SearchStages& descents,
                                          std::uint64_t seed, MappingScratch& scratch);

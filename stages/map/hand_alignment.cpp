@@ -1,7 +1,6 @@
 #include "stages/map/hand_alignment.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 namespace morphe::map {
@@ -14,21 +13,6 @@ std::vector<std::size_t> common_fingers(const HandBones& robot, const HandBones&
     if (robot.length[f] > 0 && human.length[f] > 0) fingers.push_back(f);
   }
   return fingers;
-}
-
-double length_ratio(const HandBones& robot, const HandBones& human,
-                    const std::vector<std::size_t>& fingers) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t f : fingers) least = std::min(least, robot.length[f] / human.length[f]);
-  return least;
-}
-
-double breadth_ratio(const HandBones& robot, const HandBones& human,
-                     const std::vector<std::size_t>& fingers) {
-  const auto breadth = [&](const HandBones& hand) {
-    return (hand.knuckle[fingers.front()] - hand.knuckle[fingers.back()]).norm();
-  };
-  return breadth(robot) / breadth(human);
 }
 
 }  // namespace
@@ -45,38 +29,38 @@ HandAlignment align_hand(const HandBones& robot, const HandBones& human,
                          const HandOptions& options) {
   HandAlignment fit;
   fit.scale = options.factor;
-  const bool asked =
-      options.scale != HandScale::fixed || options.align == HandAlignmentPoint::knuckles;
-  if (!asked) return fit;
+  const bool knuckles = options.align == HandAlignmentPoint::knuckles;
+  if (options.scale == HandScale::fixed && !knuckles) return fit;
   const std::vector<std::size_t> fingers = common_fingers(robot, human);
   if (fingers.empty()) {
     fit.problem = "the lengths of the person's fingers are unknown: the hand is not scaled";
     return fit;
   }
-  if (options.scale == HandScale::finger_length) fit.scale = length_ratio(robot, human, fingers);
-  if (options.scale == HandScale::palm_breadth) {
+  if (options.scale == HandScale::finger_length) {
+    fit.scale = kInfinity;
+    for (const std::size_t f : fingers) {
+      fit.scale = std::min(fit.scale, robot.length[f] / human.length[f]);
+    }
+  } else if (options.scale == HandScale::palm_breadth) {
     if (fingers.size() < 2) {
       fit.problem = "one finger gives no hand breadth: the hand is not scaled";
       return fit;
     }
-    fit.scale = breadth_ratio(robot, human, fingers);
+    const auto breadth = [&](const HandBones& hand) {
+      return (hand.knuckle[fingers.front()] - hand.knuckle[fingers.back()]).norm();
+    };
+    fit.scale = breadth(robot) / breadth(human);
   }
-  if (options.align == HandAlignmentPoint::knuckles) {
-    for (const std::size_t f : fingers)
-      fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
+  if (knuckles) {
+    for (const auto f : fingers) fit.offset += robot.knuckle[f] - fit.scale * human.knuckle[f];
     fit.offset /= static_cast<double>(fingers.size());
   }
   return fit;
 }
 
 HumanMotion apply_alignment(HumanMotion motion, const HandAlignment& fit) {
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      for (Array2D<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
-        Vec3& point = (*points)(i, finger);
-        point = fit.scale * point + fit.offset;
-      }
-    }
+  for (Array2D<Vec3>* points : {&motion.tip, &motion.finger_joint}) {
+    for (Vec3& point : points->values) point = fit.scale * point + fit.offset;
   }
   motion.hand_scale *= fit.scale;
   return motion;

@@ -9,11 +9,11 @@
 
 namespace morphe::map {
 
-/// The rule for scaling the human's hand if the robot is a hand alone.
+/// The rule for scaling the human's hand if the robot is a hand alone:
 ///   fixed          scaled by `factor`
 ///   palm_breadth   scaled to the robot's breadth over the knuckles
-///   finger_length  scaled to the largest size at which no finger is longer than the robot's, from
-///                  the knuckle's axis to the tip
+///   finger_length  as large as possible with no finger longer, from knuckle to tip, than the
+///   robot's
 enum class HandScale { fixed, palm_breadth, finger_length };
 /// Returns the names of the rules in configurations.
 constexpr std::array<std::string_view, 3> names_of(HandScale) {
@@ -30,9 +30,9 @@ constexpr std::array<std::string_view, 2> names_of(HandAlignmentPoint) {
 
 /// Options for robots without an arm (config section `hand`).
 struct HandOptions {
-  HandScale scale = HandScale::fixed;                   ///< rule for scaling the human's hand
-  double factor = 1;                                    ///< scale factor for scale `fixed`
-  HandAlignmentPoint align = HandAlignmentPoint::palm;  ///< points that are aligned
+  HandScale scale = HandScale::fixed;
+  double factor = 1;  ///< the scale if it is `fixed`; otherwise 1
+  HandAlignmentPoint align = HandAlignmentPoint::palm;
 };
 template <class Fields>
 void fields(Fields& f, HandOptions& o) {
@@ -45,13 +45,13 @@ std::string validation_error(const HandOptions& options);
 
 /// The transform palm_from_human: p -> scale * p + offset, both in their hand's own axes.
 struct HandAlignment {
-  double scale = 1;            ///< scale factor
+  double scale = 1;
   Vec3 offset = Vec3::Zero();  ///< [m]
-  /// A sentence about the missing data if the requested alignment is impossible, otherwise "".
-  std::string problem;
+  std::string problem;  ///< sentence about the data that the alignment lacks; "" if it is possible
 };
 
-/// Computes the alignment from the fingers that both hands have, without the thumb:
+/// Computes the alignment from the fingers that both hands have, without the thumb. If these are
+/// too few for the options, `problem` says so, the scale is `factor` and the offset zero.
 ///   finger_length  scale = least ratio of the robot's to the human's finger lengths
 ///   palm_breadth   scale = ratio of the robot's to the human's distance of the outermost knuckles
 ///   offset = mean of (robot's knuckle - scale * human's)                  (align: knuckles)
@@ -59,8 +59,7 @@ HandAlignment align_hand(const HandBones& robot, const HandBones& human,
                          const HandOptions& options);
 
 /// Applies the alignment to the fingers of a motion in the hand's own frame
-/// (transform_to_hand_frame). `hand_scale` is multiplied by the scale, as are the distances between
-/// the fingers.
+/// (transform_to_hand_frame), and multiplies `hand_scale` by the scale.
 HumanMotion apply_alignment(HumanMotion motion, const HandAlignment& fit);
 
 }  // namespace morphe::map

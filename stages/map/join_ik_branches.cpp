@@ -8,24 +8,23 @@ namespace {
 
 using Eigen::Index;
 
-/// The costs of the cheapest sequences up to each frame on each branch, and the previous branch of
-/// each.
+/// The cost of the cheapest sequence that ends at each frame on each branch, and its previous
+/// branch.
 struct ViterbiTable {
-  Eigen::MatrixXd cost;  ///< [F, ways]
-  Eigen::MatrixXi from;  ///< [F, ways]
+  Eigen::MatrixXd cost;                                           ///< [F, branches]
+  Eigen::Matrix<Index, Eigen::Dynamic, Eigen::Dynamic> previous;  ///< [F, branches]
 };
 
-/// Returns [F, branches]: each frame's own cost and that of its differences from previous frames on
-/// the same branch.
-Eigen::MatrixXd branch_costs(const std::vector<IkBranch>& ways,
+/// Returns [F, branches]: each frame's cost plus that of its differences along the branch.
+Eigen::MatrixXd branch_costs(const std::vector<IkBranch>& branches,
                              const std::array<JointVector, 3>& difference_weight) {
-  const Index frames = ways.front().q.rows();
-  Eigen::MatrixXd cost(frames, ways.size());
-  for (std::size_t w = 0; w < ways.size(); ++w) {
-    JointRows difference = ways[w].q;
-    auto column = cost.col(w);
-    column = Eigen::Map<const Eigen::VectorXd>(ways[w].frame_cost.data(), frames);
-    for (std::size_t order = 0; order < 3 && difference.rows() > 1; ++order) {
+  const Index frames = branches.front().q.rows();
+  Eigen::MatrixXd cost(frames, branches.size());
+  for (int b = 0; b < std::ssize(branches); ++b) {
+    JointRows difference = branches[b].q;
+    auto column = cost.col(b);
+    column = Eigen::Map<const Eigen::VectorXd>(branches[b].frame_cost.data(), frames);
+    for (int order = 0; order < 3 && difference.rows() > 1; ++order) {
       const Index rows = difference.rows() - 1;
       difference = JointRows(difference.bottomRows(rows) - difference.topRows(rows));
       column.tail(rows) += difference.cwiseAbs2() * difference_weight[order];
@@ -35,28 +34,27 @@ Eigen::MatrixXd branch_costs(const std::vector<IkBranch>& ways,
 }
 
 /// Computes the table from the first frame to the last; if reversed, from the last to the first.
-ViterbiTable viterbi_pass(const std::vector<IkBranch>& ways, const Eigen::MatrixXd& cost,
+ViterbiTable viterbi_pass(const std::vector<IkBranch>& branches, const Eigen::MatrixXd& cost,
                           const JointVector& step_weight, bool reversed) {
   const Index frames = cost.rows(), count = cost.cols();
-  ViterbiTable table{cost, Eigen::MatrixXi::Zero(frames, count)};
-  const auto at = [&](Index f) { return reversed ? frames - 1 - f : f; };
+  ViterbiTable table{cost, decltype(ViterbiTable::previous)::Zero(frames, count)};
+  const auto frame_at = [&](Index f) { return reversed ? frames - 1 - f : f; };
   for (Index f = 1; f < frames; ++f) {
-    // A change occurs between two frames: in either direction it is a step at the later one.
-    const Index here = at(f), before = at(f - 1), step_at = std::max(here, before);
+    // The step of a change between two frames belongs to the later one, in either direction.
+    const Index frame = frame_at(f), before = frame_at(f - 1), later = std::max(frame, before);
     for (Index to = 0; to < count; ++to) {
-      double least = table.cost(before, to);
-      table.from(here, to) = static_cast<int>(to);
-      const auto& own = ways[to].q;
+      double best_cost = table.cost(before, to);
+      table.previous(frame, to) = to;
       for (Index from = 0; from < count; ++from) {
-        if (table.cost(before, from) >= least) continue;
-        const auto& other = ways[from].q;
-        const double step =
-            (own.row(step_at) - other.row(step_at)).cwiseAbs2().dot(step_weight.transpose());
-        if (table.cost(before, from) + step >= least) continue;
-        least = table.cost(before, from) + step;
-        table.from(here, to) = static_cast<int>(from);
+        if (table.cost(before, from) >= best_cost) continue;
+        const double step = (branches[to].q.row(later) - branches[from].q.row(later))
+                                .cwiseAbs2()
+                                .dot(step_weight.transpose());
+        if (table.cost(before, from) + step >= best_cost) continue;
+        best_cost = table.cost(before, from) + step;
+        table.previous(frame, to) = from;
       }
-      table.cost(here, to) += least;
+      table.cost(frame, to) += best_cost;
     }
   }
   return table;
@@ -64,37 +62,34 @@ ViterbiTable viterbi_pass(const std::vector<IkBranch>& ways, const Eigen::Matrix
 
 }  // namespace
 
-std::vector<JointRows> join_ik_branches(const std::vector<IkBranch>& ways,
+std::vector<JointRows> join_ik_branches(const std::vector<IkBranch>& branches,
                                         const std::array<JointVector, 3>& difference_weight) {
-  if (ways.empty()) return {};
-  const Eigen::MatrixXd cost = branch_costs(ways, difference_weight);
+  if (branches.empty()) return {};
+  const Eigen::MatrixXd cost = branch_costs(branches, difference_weight);
   const JointVector step_weight =
       difference_weight[0] + 2 * difference_weight[1] + 6 * difference_weight[2];
-  const ViterbiTable ahead = viterbi_pass(ways, cost, step_weight, false);
-  const ViterbiTable back = viterbi_pass(ways, cost, step_weight, true);
+  const ViterbiTable ahead = viterbi_pass(branches, cost, step_weight, false);
+  const ViterbiTable back = viterbi_pass(branches, cost, step_weight, true);
 
-  std::vector<std::size_t> order(ways.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto through = [&](std::size_t w) {
-    const auto key = static_cast<Index>(ways[w].key_frame), branch = static_cast<Index>(w);
-    return ahead.cost(key, branch) + back.cost(key, branch) - cost(key, branch);
-  };
-  std::ranges::stable_sort(order, {}, through);
+  std::vector<Index> order(branches.size());
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::stable_sort(order, {}, [&](Index b) {
+    const Index key = branches[b].key_frame;
+    return ahead.cost(key, b) + back.cost(key, b) - cost(key, b);
+  });
 
   std::vector<JointRows> sequences;
-  for (const std::size_t w : order) {
-    JointRows sequence(cost.rows(), ways[w].q.cols());
-    const auto key = static_cast<Index>(ways[w].key_frame);
-    const auto row_of = [&](Index f, Index way) { return ways[way].q.row(f); };
-    auto branch = static_cast<Index>(w);
-    for (Index f = key; f >= 0; --f) {
-      sequence.row(f) = row_of(f, branch);
-      branch = ahead.from(f, branch);
+  for (const Index start_branch : order) {
+    JointRows sequence(cost.rows(), branches[start_branch].q.cols());
+    Index branch = start_branch;
+    for (Index f = branches[start_branch].key_frame; f >= 0; --f) {
+      sequence.row(f) = branches[branch].q.row(f);
+      branch = ahead.previous(f, branch);
     }
-    branch = w;
-    for (Index f = key; f < cost.rows(); ++f) {
-      sequence.row(f) = row_of(f, branch);
-      branch = back.from(f, branch);
+    branch = start_branch;
+    for (Index f = branches[start_branch].key_frame; f < cost.rows(); ++f) {
+      sequence.row(f) = branches[branch].q.row(f);
+      branch = back.previous(f, branch);
     }
     const bool known =
         std::ranges::any_of(sequences, [&](const JointRows& other) { return other == sequence; });

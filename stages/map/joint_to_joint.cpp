@@ -11,29 +11,23 @@
 namespace morphe::map {
 namespace {
 
-using Eigen::Index;
-
-/// Sets the joints of fingers that never have an angle to zero, or the limit next to it.
 void zero_unrecorded_fingers(const robot::Robot& robot, std::vector<humanlike::FrameGoal>& frames,
                              Goals& goals) {
-  bool any = false;
+  bool any_zeroed = false;
   for (const RobotModel::Tip& tip : robot.tips) {
     if (tip.finger < 0) continue;
     for (const int frame : robot::ancestors(robot, tip.frame)) {
       if (frame == robot.palm_frame) break;
       const int joint = robot::joint_of(robot, frame);
-      const bool recorded =
-          joint < 0 || std::ranges::any_of(frames, [&](const humanlike::FrameGoal& goal) {
-            return std::isfinite(goal.angles[joint]);
-          });
-      if (recorded) continue;
-      any = true;
+      const auto recorded = [&](const auto& goal) { return std::isfinite(goal.angles[joint]); };
+      if (joint < 0 || std::ranges::any_of(frames, recorded)) continue;
+      any_zeroed = true;
       for (humanlike::FrameGoal& goal : frames) {
         goal.angles[joint] = std::clamp(0.0, robot.lower[joint], robot.upper[joint]);
       }
     }
   }
-  if (any) goals.estimated.emplace_back("finger angles");
+  if (any_zeroed) goals.estimated.emplace_back("finger angles");
 }
 
 }  // namespace
@@ -47,7 +41,7 @@ std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot
   const humanlike::Chain arm = humanlike::arm_chain(robot, poses).joints;
   FingerAngles finger_angles(robot);
   std::vector<humanlike::FrameGoal> frames;
-  for (std::size_t f = 0; f < goals.frames(); ++f) {
+  for (int f = 0; f < std::ssize(goals.time); ++f) {
     humanlike::FrameGoal goal;
     goal.tip_position.assign(robot.tips.size(), unknown_point());
     goal.tip_orientation.assign(robot.tips.size(), unknown_rotation());
@@ -57,8 +51,7 @@ std::vector<humanlike::FrameGoal> joint_to_joint_goals(const robot::Robot& robot
           {goals.shoulder_position[f], goals.elbow_position[f], goals.wrist_position[f]}, arm);
     }
     goal.angles = JointVector::Constant(robot.joints(), kUnknown);
-    const auto row =
-        std::lower_bound(angle_time.begin(), angle_time.end(), goals.time[f]) - angle_time.begin();
+    const auto row = std::ranges::lower_bound(angle_time, goals.time[f]) - angle_time.begin();
     if (row < angles.rows()) goal.angles = finger_angles(angles.row(row).transpose());
     frames.push_back(std::move(goal));
   }

@@ -4,45 +4,33 @@
 
 #include "core/motion/input_error.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/map/constants.hpp"
 
 namespace morphe::map {
 namespace {
 
 int joint_index(const RobotModel& robot, const std::string& name) {
-  const auto found = std::find(robot.joint_names.begin(), robot.joint_names.end(), name);
-  if (found == robot.joint_names.end()) {
-    throw InputError("map.natural_posture: robot " + robot.name + " has no actuated joint '" +
-                     name + "'");
+  for (int joint = 0; joint < std::ssize(robot.joint_names); ++joint) {
+    if (robot.joint_names[joint] == name) return joint;
   }
-  return static_cast<int>(found - robot.joint_names.begin());
+  throw InputError("map.natural_posture: robot " + robot.name + " has no actuated joint '" + name +
+                   "'");
 }
 
-std::vector<int> tips_moved_by(const RobotModel& robot, int joint) {
-  std::vector<int> tips;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-    if (robot::joint_moves_frame(robot, joint, robot.tips[tip].frame))
-      tips.push_back(static_cast<int>(tip));
-  }
-  return tips;
-}
-
-/// Removes or replaces the terms of the objective as required by a mode.
 void set_mode(MapMode mode, humanlike::FrameObjective& objective) {
   using humanlike::TermGroup;
   if (mode == MapMode::humanlike) return;
   objective.for_each_term([&]<class T>(T& term) {
     const bool humanlike =
         T::kGroup == TermGroup::humanlike_arm || T::kGroup == TermGroup::humanlike_fingers;
-    const bool turns = T::kGroup == TermGroup::tip_orientation;
-    if (humanlike || (turns && mode == MapMode::fingertip_only)) term.weight = 0;
+    const bool orientation = T::kGroup == TermGroup::tip_orientation;
+    if (humanlike || (orientation && mode == MapMode::fingertip_only)) term.weight = 0;
   });
   if (mode == MapMode::joint_to_joint) {
-    // Length of a finger [m], which converts angles to displacements.
-    constexpr double kFingerLever_m = 0.1;
     const double weight = objective.get<humanlike::TipPosition>().weight;
     objective.get<humanlike::ChainPosition>().weight = weight;
-    objective.get<humanlike::JointAngle>().weight = kFingerLever_m * kFingerLever_m * weight;
-    // Reached exactly if possible: the angle is not squared.
+    objective.get<humanlike::JointAngle>().weight = kFingerLength_m * kFingerLength_m * weight;
+    // Any weight makes the solve meet this goal exactly if it can: its angle is not squared.
     objective.get<humanlike::HandOrientation>().weight = 1;
   }
 }
@@ -55,16 +43,15 @@ std::string validation_error(const BaseOffset& o) {
 }
 
 std::string validation_error(const MapOptions& o) {
-  double least =
+  double lowest =
       std::min({o.movement_cost.velocity, o.movement_cost.acceleration, o.movement_cost.jerk});
-  o.objective.for_each_term([&](const auto& term) { least = std::min(least, term.weight); });
-  if (least < 0) return "weights must not be negative";
+  o.objective.for_each_term([&](const auto& term) { lowest = std::min(lowest, term.weight); });
+  if (lowest < 0) return "weights must not be negative";
   const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
   if (!(thumb.full_distance_m >= 0 && thumb.full_distance_m < thumb.zero_distance_m)) {
     return "thumb_full_distance must not be negative, and less than thumb_zero_distance";
   }
-  if (const std::string wrong = validation_error(o.phases); !wrong.empty())
-    return "phases: " + wrong;
+  if (const auto error = validation_error(o.phases); !error.empty()) return "phases: " + error;
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
   if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {
@@ -86,7 +73,10 @@ humanlike::FrameObjective make_objective(const MapOptions& options, const RobotM
     entry.joint = joint_index(robot, natural.joint);
     entry.follow = natural.follow.empty() ? -1 : joint_index(robot, natural.follow);
     entry.value = natural.value;
-    entry.tips = tips_moved_by(robot, entry.joint);
+    for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
+      const bool moves = robot::joint_moves_frame(robot, entry.joint, robot.tips[tip].frame);
+      if (moves) entry.tips.push_back(tip);
+    }
     objective.get<humanlike::NaturalPosture>().joints.push_back(std::move(entry));
   }
   set_mode(options.mode, objective);

@@ -20,29 +20,24 @@ namespace morphe::map {
 ///   humanlike           the objective with all its terms
 ///   joint_to_joint      the human's joint angles instead of its fingertips (joint_to_joint.hpp)
 ///   inverse_kinematics  without humanlikeness: w_A, w_a, w_B and w_C are zero
-///   fingertip_only      the positions of the tips alone: no humanlikeness, and no orientation of
-///                       tips or hand either
+///   fingertip_only      the positions of the tips alone: no humanlikeness, no orientation either
 enum class MapMode { humanlike, joint_to_joint, inverse_kinematics, fingertip_only };
 /// Returns the names of the modes in configurations.
 constexpr std::array<std::string_view, 4> names_of(MapMode) {
   return {"humanlike", "joint_to_joint", "inverse_kinematics", "fingertip_only"};
 }
 
-/// The natural position of a joint, to which it is drawn while no goal determines it: q = value, or
-/// q = q_follow + value.
+/// The natural position of a joint while no goal determines it: q = value, or q_follow + value.
 struct NaturalJoint {
-  /// Name of the joint and of the joint that it follows, or "".
-  std::string joint, follow;
-  double value = 0;  ///< [rad]
+  std::string joint, follow;  ///< names of the joint and of the one that it follows, or ""
+  double value = 0;           ///< [rad]
 };
 
 /// The offset of the robot's base (for a hand, of its wrist), which is optimised together with the
 /// mapping, once per movement (Section 3.3 of the paper).
 struct BaseOffset {
-  /// Limit along each axis of the world relative to the configured placement; 0 disables the
-  /// offset.
-  double limit_m = 0;
-  double weight = 1;  ///< weight of its square, added to the mean of the frames' objectives [1/m²]
+  double limit_m = 0;  ///< largest offset along each axis of the world; 0 disables it
+  double weight = 1;   ///< on its square, added to the mean of the frames' objectives [1/m²]
 };
 template <class Fields>
 void fields(Fields& f, BaseOffset& o) {
@@ -52,11 +47,9 @@ void fields(Fields& f, BaseOffset& o) {
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const BaseOffset& options);
 
-/// Returns the default weights of the objective. Humanlikeness, clearance and smoothness all pull
-/// tips off their goals, by an amount that depends on their weights relative to w_x: 1000 leaves up
-/// to 1.4 mm on the shipped recordings, 20000 at most 0.25 mm. The clearance term's weight is a
-/// tenth of it, so that tips give way to collisions as before. The hand's orientation is a weak
-/// goal.
+/// Returns the default weights. Humanlikeness, clearance and smoothness pull tips off their goals:
+/// with w_x = 1000 by up to 1.4 mm on the shipped recordings, with 20000 by at most 0.25 mm. Tips
+/// give way to collisions, because the weight of the clearance term is a tenth of w_x.
 inline humanlike::FrameObjective default_objective() {
   humanlike::FrameObjective o;
   o.get<humanlike::TipPosition>().weight = 20000;
@@ -69,30 +62,25 @@ inline humanlike::FrameObjective default_objective() {
   return o;
 }
 
-/// Options of the mapping (config section `map`): weights of Eq. (16), the additional terms, and
-/// the search.
+/// Options of the mapping (config section `map`): weights of Eq. (16), other terms, and search.
 struct MapOptions {
-  MapMode mode = MapMode::humanlike;                          ///< the mapping method
-  humanlike::FrameObjective objective = default_objective();  ///< the objective with its weights
-  std::vector<PhaseWeights> phases;  ///< factors of these weights in single phases
-  double phase_blend_s = 0.2;  ///< time over which the weights are blended from phase to phase
-  double orientation_smoothing = 1e-3;        ///< rounds the kink of the unsquared angle [rad]
+  MapMode mode = MapMode::humanlike;
+  humanlike::FrameObjective objective = default_objective();
+  std::vector<PhaseWeights> phases;     ///< factors on the weights, by phase
+  double phase_blend_s = 0.2;           ///< time over which the factors of two phases are blended
+  double orientation_smoothing = 1e-3;  ///< rounds the kink of the unsquared angle [rad]
   std::vector<NaturalJoint> natural_posture;  ///< joints of fingers without a goal
-  BaseOffset base_offset;                     ///< offset of the base, optimised with the mapping
-  ClearanceTerm clearance;                    ///< penalty on small clearances
-  /// True if unseen fingers and the palm respect the target's contact depth.
-  bool avoid_target = true;
-
-  MovementCost movement_cost;  ///< cost of the whole movement, added to the frames' objectives
-  int key_frames = 5;          ///< number of frames at which the global search starts
-  int starts = 24;             ///< random starts at each of them
-  int candidates = 4;          ///< distinct minima kept at each and tracked through the movement
-  /// Time step of the grid on which candidate paths are tracked and compared.
-  double coarse_step_s = 0.05;
-  int reach_search_starts = 256;        ///< random starts before a goal is declared unreachable
-  double reach_tolerance_m = 1e-4;      ///< error below which that search regards a goal as reached
-  solve::MinimiseOptions frame_solver;  ///< options for single frames
-  /// Options for whole movements.
+  BaseOffset base_offset;
+  ClearanceTerm clearance;
+  bool avoid_target = true;     ///< unseen fingers and the palm respect the target's contact depth
+  MovementCost movement_cost;   ///< added to the frames' objectives
+  int key_frames = 5;           ///< number of frames at which the global search starts
+  int starts = 24;              ///< random starts per key frame
+  int candidates = 4;           ///< distinct minima per key frame that are kept and tracked
+  double coarse_step_s = 0.05;  ///< step of the grid on which paths are tracked and compared
+  int reach_search_starts = 256;    ///< random starts before a goal is declared unreachable
+  double reach_tolerance_m = 1e-4;  ///< error below which that search regards a goal as reached
+  solve::MinimiseOptions frame_solver;
   solve::MovementOptions movement_solver;
 };
 template <class Fields>
@@ -125,8 +113,7 @@ void fields(Fields& f, MapOptions& o) {
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const MapOptions& options);
 
-/// Creates the frame objective from the options for a robot. Throws InputError if `natural_posture`
-/// names an unknown joint.
+/// Creates a robot's objective. Throws InputError if `natural_posture` names an unknown joint.
 humanlike::FrameObjective make_objective(const MapOptions& options, const RobotModel& robot);
 
 }  // namespace morphe::map

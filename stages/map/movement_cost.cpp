@@ -12,9 +12,9 @@ std::array<JointVector, 3> difference_weights(const RobotModel& robot,
                                               const std::vector<double>& time,
                                               const MovementCost& cost) {
   const double step_s = mean_step(time);
-  const auto weight = [&](double share, const JointVector& limit, int order) -> JointVector {
+  const auto weight = [&](double factor, const JointVector& limit, int order) -> JointVector {
     const JointVector difference_at_limit = limit * std::pow(step_s, order);
-    return share * (step_s / kReferenceStep_s) * difference_at_limit.cwiseAbs2().cwiseInverse();
+    return factor * (step_s / kReferenceStep_s) * difference_at_limit.cwiseAbs2().cwiseInverse();
   };
   return {weight(cost.velocity, robot.velocity, 1),
           weight(cost.acceleration, robot.acceleration, 2), weight(cost.jerk, robot.jerk, 3)};

@@ -21,13 +21,13 @@ void fields(Fields& f, MovementCost& o) {
   f("jerk", o.jerk);
 }
 
-/// Returns the cost as weights [n] on squared first, second and third differences of a path whose
-/// frames are mean_step(time) apart.
+/// Returns the weights [n] on the squared first, second and third differences between frames of a
+/// path; `time` [s] has at least two.
 std::array<JointVector, 3> difference_weights(const RobotModel& robot,
                                               const std::vector<double>& time,
                                               const MovementCost& cost);
 
-inline constexpr double kReferenceStep_s = 0.01;  ///< frame length to which the weights refer [s]
+inline constexpr double kReferenceStep_s = 0.01;  ///< frame length to which the weights refer
 /// Returns the mean time between frames [s].
 double mean_step(const std::vector<double>& time);
 

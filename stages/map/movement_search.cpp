@@ -2,67 +2,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <utility>
 
 #include "core/math/seed.hpp"
 #include "stages/map/coarse_grid.hpp"
+#include "stages/map/constants.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/join_ik_branches.hpp"
-#include "stages/map/make_movement_problem.hpp"
 #include "stages/map/posture_symmetries.hpp"
 #include "stages/map/rounded_problem.hpp"
 
 namespace morphe::map {
 namespace {
 
-using Eigen::Index;
-
-constexpr int kMaxTrackingEvaluations = 5;  ///< evaluations per tracked frame
-
-/// Tracks a branch by warm-started solves from a key frame to both ends, as accurately as joining
-/// and smoothing require.
-IkBranch track_branch(const MappingProblem& problem, std::size_t key, const JointVector& q,
+/// Tracks a branch by warm-started solves from a key frame to both ends.
+IkBranch track_branch(const MappingProblem& problem, int key, const JointVector& q,
                       solve::MinimiseOptions options, MappingScratch& scratch) {
   options = limit_evaluations(options, kMaxTrackingEvaluations);
-  options.relative_tolerance = std::max(options.relative_tolerance, 1e-5);
+  options.relative_tolerance = std::max(options.relative_tolerance, kTrackingTolerance);
   const double share = mean_step(problem.time) / kReferenceStep_s;
-  IkBranch way{key, JointRows(problem.frames(), q.size()), std::vector<double>(problem.frames())};
-  const auto solve = [&](std::size_t frame, const JointVector& start) {
+  const std::size_t frames = problem.frames();
+  IkBranch branch{key, JointRows(frames, q.size()), std::vector<double>(frames)};
+  const auto solve = [&](int frame, const JointVector& start) {
     const solve::Minimum found = solve_frame(problem, frame, start, options, scratch);
-    way.q.row(frame) = found.x.transpose();
-    way.frame_cost[frame] = share * found.value;
+    branch.q.row(frame) = found.x.transpose();
+    branch.frame_cost[frame] = share * found.value;
   };
   solve(key, q);
-  const auto near = [&](std::size_t frame) -> JointVector { return way.q.row(frame).transpose(); };
-  for (std::size_t f = key; f + 1 < problem.frames(); ++f) solve(f + 1, near(f));
-  for (std::size_t f = key; f > 0; --f) solve(f - 1, near(f));
-  return way;
+  for (int f = key + 1; f < branch.q.rows(); ++f) solve(f, branch.q.row(f - 1).transpose());
+  for (int f = key - 1; f >= 0; --f) solve(f, branch.q.row(f + 1).transpose());
+  return branch;
 }
 
-/// Returns true if two paths have the same or equivalent postures in all frames.
-bool same_path(const PostureSymmetries& twins, const JointRows& a, const JointRows& b) {
-  for (Index f = 0; f < a.rows(); ++f) {
-    if (!same_up_to_symmetry(twins, a.row(f).transpose(), b.row(f).transpose(),
-                             kBasinTolerance_rad))
+bool same_path(const PostureSymmetries& symmetries, const JointRows& a, const JointRows& b) {
+  for (Eigen::Index f = 0; f < a.rows(); ++f) {
+    if (!same_up_to_symmetry(symmetries, a.row(f).transpose(), b.row(f).transpose(),
+                             kSameMinimum_rad))
       return false;
   }
   return true;
 }
 
-/// Iterations after which the jumps are gone and the value of a sequence becomes apparent, and the
-/// number of best sequences that are smoothed until convergence. The others are kept for repair,
-/// which changes them anyway.
-constexpr int kScreeningIterations = 7;
-constexpr std::size_t kFullySmoothedCount = 2;
-/// Factor on the relative value at which the comparison converges.
-constexpr double kComparisonToleranceFactor = 10;
-
-solve::MovementOptions limit_iterations(solve::MovementOptions options, int iterations) {
-  options.max_iterations = std::min(options.max_iterations, iterations);
-  return options;
-}
-
-/// Smooths all frames of the problem at once.
 CandidatePath minimise_path(const MappingProblem& problem, const JointRows& start,
                             const MovementCost& cost, const solve::MovementOptions& options) {
   std::vector<MappingScratch> scratch;
@@ -71,7 +52,6 @@ CandidatePath minimise_path(const MappingProblem& problem, const JointRows& star
   return {found.q, found.value};
 }
 
-/// Smooths a path on the coarse grid until it converges, then refines it over all frames.
 CandidatePath solve_coarse_to_fine(const MappingProblem& problem, const MappingProblem& coarse,
                                    const std::vector<std::size_t>& frames, const JointRows& start,
                                    const MapOptions& options) {
@@ -81,36 +61,26 @@ CandidatePath solve_coarse_to_fine(const MappingProblem& problem, const MappingP
                        fine_grid_options(options.movement_solver));
 }
 
-/// Returns the equivalent postures that are worth tracking.
-std::vector<JointVector> first_equivalent_postures(const PostureSymmetries& twins,
-                                                   const JointVector& q) {
-  constexpr std::size_t kMaxEquivalentPostures = 3;
-  std::vector<JointVector> found = equivalent_postures(twins, q);
-  if (found.size() > kMaxEquivalentPostures) found.resize(kMaxEquivalentPostures);
-  return found;
-}
-
 /// Returns true if a joint that differs among equivalent postures reaches its limit.
-bool reaches_limit(const PostureSymmetries& twins, const JointRows& way) {
-  return std::ranges::any_of(symmetry_joints(twins), [&](Index j) {
-    return way.col(j).minCoeff() <= twins.lower[j] || way.col(j).maxCoeff() >= twins.upper[j];
+bool reaches_limit(const PostureSymmetries& symmetries, const JointRows& path) {
+  return std::ranges::any_of(symmetry_joints(symmetries), [&](Eigen::Index j) {
+    return path.col(j).minCoeff() <= symmetries.lower[j] ||
+           path.col(j).maxCoeff() >= symmetries.upper[j];
   });
 }
 
-void sort_by_value(std::vector<CandidatePath>& courses) {
-  std::stable_sort(
-      courses.begin(), courses.end(),
-      [](const CandidatePath& a, const CandidatePath& b) { return a.value < b.value; });
+void sort_by_value(std::vector<CandidatePath>& paths) {
+  std::ranges::stable_sort(paths, {}, &CandidatePath::value);
 }
 
-void add_if_new(const PostureSymmetries& twins, std::vector<CandidatePath>& courses,
-                CandidatePath course) {
-  for (CandidatePath& known : courses) {
-    if (!same_path(twins, known.q, course.q)) continue;
-    if (course.value < known.value) known = std::move(course);
+void add_if_new(const PostureSymmetries& symmetries, std::vector<CandidatePath>& paths,
+                CandidatePath path) {
+  for (CandidatePath& known : paths) {
+    if (!same_path(symmetries, known.q, path.q)) continue;
+    if (path.value < known.value) known = std::move(path);
     return;
   }
-  courses.push_back(std::move(course));
+  paths.push_back(std::move(path));
 }
 
 }  // namespace
@@ -129,14 +99,14 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   const MappingProblem& coarse = rounded.problem;
   MappingScratch scratch;
 
-  const PostureSymmetries twins = find_posture_symmetries(coarse);
-  std::vector<IkBranch> ways;
-  std::vector<bool> stopped;  // by a limit that an equivalent posture may not reach
-  const auto on_known_way = [&](std::size_t key, const JointVector& q) {
-    for (std::size_t w = 0; w < ways.size(); ++w) {
-      const JointVector passed = ways[w].q.row(key).transpose();
-      const bool same = stopped[w] ? (passed - q).cwiseAbs().maxCoeff() < kBasinTolerance_rad
-                                   : same_up_to_symmetry(twins, passed, q, kBasinTolerance_rad);
+  const PostureSymmetries symmetries = find_posture_symmetries(coarse);
+  std::vector<IkBranch> branches;
+  std::vector<bool> stopped;  // true if the branch meets a limit that an equivalent one may not
+  const auto on_known_branch = [&](int key, const JointVector& q) {
+    for (int b = 0; b < std::ssize(branches); ++b) {
+      const JointVector posture = branches[b].q.row(key).transpose();
+      const bool same = stopped[b] ? (posture - q).cwiseAbs().maxCoeff() < kSameMinimum_rad
+                                   : same_up_to_symmetry(symmetries, posture, q, kSameMinimum_rad);
       if (same) return true;
     }
     return false;
@@ -144,54 +114,49 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   for (int k = 0; k < options.key_frames; ++k) {
     const auto last = static_cast<double>(coarse.frames() - 1);
     const double position = options.key_frames == 1 ? last : last * k / (options.key_frames - 1);
-    const auto key = static_cast<std::size_t>(std::lround(position));
+    const auto key = static_cast<int>(std::lround(position));
     for (const solve::Minimum& start : search_frame(
              coarse, key, options.starts, options.candidates, quick_stages(options.frame_solver),
              math::seed_from(seed, "key frame", k), scratch)) {
-      for (const JointVector& twin : first_equivalent_postures(twins, start.x)) {
-        if (on_known_way(key, twin)) continue;
-        ways.push_back(track_branch(coarse, key, twin, options.frame_solver, scratch));
-        stopped.push_back(reaches_limit(twins, ways.back().q));
+      const std::vector<JointVector> postures = equivalent_postures(symmetries, start.x);
+      for (const JointVector& posture : postures | std::views::take(kMaxEquivalentPostures)) {
+        if (on_known_branch(key, posture)) continue;
+        branches.push_back(track_branch(coarse, key, posture, options.frame_solver, scratch));
+        stopped.push_back(reaches_limit(symmetries, branches.back().q));
         if (!stopped.back()) break;
       }
     }
   }
-  std::vector<JointRows> sequences = join_ik_branches(
-      ways, difference_weights(*problem.robot, coarse.time, options.movement_cost));
-  if (sequences.size() > static_cast<std::size_t>(options.candidates)) {
-    sequences.resize(options.candidates);
-  }
+  const std::vector<JointRows> sequences = join_ik_branches(
+      branches, difference_weights(*problem.robot, coarse.time, options.movement_cost));
+  solve::MovementOptions screening = options.movement_solver, comparing = options.movement_solver;
+  screening.max_iterations = std::min(screening.max_iterations, kScreeningIterations);
+  comparing.relative_tolerance *= kComparisonToleranceFactor;
   std::vector<CandidatePath> paths;
-  for (const JointRows& sequence : sequences) {
-    add_if_new(twins, paths,
-               minimise_path(coarse, sequence, options.movement_cost,
-                             limit_iterations(options.movement_solver, kScreeningIterations)));
+  for (const JointRows& sequence : sequences | std::views::take(options.candidates)) {
+    add_if_new(symmetries, paths,
+               minimise_path(coarse, sequence, options.movement_cost, screening));
   }
   sort_by_value(paths);
-  solve::MovementOptions comparing = options.movement_solver;
-  comparing.relative_tolerance *= kComparisonToleranceFactor;
-  for (std::size_t k = 0; k < std::min(kFullySmoothedCount, paths.size()); ++k) {
-    paths[k] = minimise_path(coarse, paths[k].q, options.movement_cost, comparing);
+  for (CandidatePath& path : paths | std::views::take(kFullySmoothedCount)) {
+    path = minimise_path(coarse, path.q, options.movement_cost, comparing);
   }
   sort_by_value(paths);
   paths.front() = solve_coarse_to_fine(problem, coarse, frames, paths.front().q, options);
-  for (std::size_t k = 1; k < paths.size(); ++k) {
-    paths[k].q = interpolate(paths[k].q, frames);
-  }
+  for (int k = 1; k < std::ssize(paths); ++k) paths[k].q = interpolate(paths[k].q, frames);
   return paths;
 }
 
 CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
                            const JointVector& posture, const MapOptions& options) {
   std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const auto place = std::ranges::lower_bound(frames, frame);
-  const auto key = static_cast<std::size_t>(place - frames.begin());
-  if (*place != frame) frames.insert(place, frame);
+  const auto next = std::ranges::lower_bound(frames, frame);
+  const auto key = static_cast<int>(next - frames.begin());
+  if (*next != frame) frames.insert(next, frame);
   const RoundedProblem coarse(problem_at_frames(problem, frames));
   MappingScratch scratch;
-  const IkBranch followed =
-      track_branch(coarse.problem, key, posture, options.frame_solver, scratch);
-  return solve_coarse_to_fine(problem, coarse.problem, frames, followed.q, options);
+  const IkBranch branch = track_branch(coarse.problem, key, posture, options.frame_solver, scratch);
+  return solve_coarse_to_fine(problem, coarse.problem, frames, branch.q, options);
 }
 
 }  // namespace morphe::map

@@ -14,20 +14,20 @@ struct CandidatePath {
   double value = 0;  ///< sum of the frames' objectives and of the movement cost
 };
 
-/// Smooths the whole movement from a start: minimises the objective of every frame plus the
-/// movement's cost inside the joint limits, first on the coarse grid, then over all frames.
+/// Smooths a path `start` [F, n]: minimises the sum of the frames' objectives and of the movement's
+/// cost inside the joint limits, first with rounded goals on the coarse grid, then over all frames.
 CandidatePath smooth_movement(const MappingProblem& problem, const JointRows& start,
                               const MapOptions& options);
 
-/// Searches for candidate paths with the movement as one problem. Minima of key frames are tracked
-/// through it on a coarse grid, joined into sequences, smoothed as a whole and ordered by value,
-/// all of this with rounded goals (rounded_problem.hpp). The first path is refined over all frames;
-/// the others keep the accuracy of the coarse grid (interpolated to every frame) for repair.
+/// Searches for candidate paths of the whole movement. On a coarse grid and with rounded goals
+/// (rounded_problem.hpp), it tracks minima of key frames, joins them into sequences, smooths these
+/// and orders them by value. The first path is then refined over all frames, with the exact goals.
+/// The others, for repair, are interpolated from the coarse grid, on which their value is given.
 std::vector<CandidatePath> search_movement(const MappingProblem& problem, const MapOptions& options,
                                            std::uint64_t seed);
 
-/// Returns the path that passes through (or near) a posture at a frame: tracked from there to both
-/// ends on the coarse grid, smoothed, and refined over all frames.
+/// Returns a path through or near a posture at a frame: tracked from there to both ends, smoothed
+/// on the coarse grid and refined over all frames.
 CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
                            const JointVector& posture, const MapOptions& options);
 

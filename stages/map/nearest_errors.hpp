@@ -7,12 +7,10 @@
 
 namespace morphe::map {
 
-/// Computes the least errors of the robot's tips at goals that it cannot reach. The result [F, m]
-/// contains each tip's distance from its goal [m] at the minimum of sum ‖x_i(q) - goal_i‖² inside
-/// the limits, without any other term; NaN if there is no goal, and in reachable frames. The
-/// minimum is local: the better of those from the posture in `near` [F, n] and from the previous
-/// frame.
-JointRows nearest_errors(const MappingProblem& problem, const JointRows& near,
+/// Returns [F, m]: each tip's distance from its goal [m] at the minimum of sum ‖x_i(q) - goal_i‖²
+/// inside the limits, without any other term; NaN without a goal and in reachable frames. The
+/// minimum is local: the better of those found from `path` [F, n] and from the previous frame's.
+JointRows nearest_errors(const MappingProblem& problem, const JointRows& path,
                          const std::vector<bool>& reachable, const solve::MinimiseOptions& solver);
 
 }  // namespace morphe::map

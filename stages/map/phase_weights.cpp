@@ -7,22 +7,11 @@
 #include <numbers>
 
 namespace morphe::map {
-namespace {
-
-humanlike::FrameWeights weights_of_phase(const std::vector<PhaseWeights>& weights,
-                                         PhaseKind phase) {
-  for (const PhaseWeights& w : weights) {
-    if (w.phase == phase) return w.factors;
-  }
-  return {};
-}
-
-}  // namespace
 
 std::string validation_error(const std::vector<PhaseWeights>& weights) {
-  for (std::size_t i = 0; i < weights.size(); ++i) {
+  for (int i = 0; i < std::ssize(weights); ++i) {
     const PhaseWeights& w = weights[i];
-    for (std::size_t k = 0; k < i; ++k) {
+    for (int k = 0; k < i; ++k) {
       if (weights[k].phase == w.phase)
         return fmt::format("phase {} appears twice", name_of(w.phase));
     }
@@ -38,8 +27,11 @@ humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    const std::vector<Phase>& phases, double time_s,
                                    double blend_s) {
   if (weights.empty()) return {};
-  const auto at = [&](double t) { return weights_of_phase(weights, phase_at(phases, t)); };
-  if (blend_s <= 0) return at(time_s);
+  const auto factors_at = [&](double t) {
+    const auto listed = std::ranges::find(weights, phase_at(phases, t), &PhaseWeights::phase);
+    return listed == weights.end() ? humanlike::FrameWeights{} : listed->factors;
+  };
+  if (blend_s <= 0) return factors_at(time_s);
   // The window from -1 to 1 is cut at the boundaries of phases.
   std::vector<double> cuts{-1, 1};
   for (const Phase& phase : phases) {
@@ -48,18 +40,18 @@ humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
     }
   }
   std::ranges::sort(cuts);
-  const auto filled = [](double place) {  // integral of (1 + cos(pi place)) / 2
-    return 0.5 * (1 + place) + std::sin(std::numbers::pi * place) / (2 * std::numbers::pi);
+  const auto window_integral = [](double end) {  // of (1 + cos(pi x)) / 2 from -1 to `end`
+    return 0.5 * (1 + end) + std::sin(std::numbers::pi * end) / (2 * std::numbers::pi);
   };
   humanlike::FrameWeights sum{0, 0, 0, 0};
-  for (std::size_t i = 1; i < cuts.size(); ++i) {
-    const double share = filled(cuts[i]) - filled(cuts[i - 1]);
+  for (int i = 1; i < std::ssize(cuts); ++i) {
+    const double share = window_integral(cuts[i]) - window_integral(cuts[i - 1]);
     if (share <= 0) continue;
-    const humanlike::FrameWeights own = at(time_s + 0.25 * blend_s * (cuts[i - 1] + cuts[i]));
-    sum.tip_position += share * own.tip_position;
-    sum.tip_orientation += share * own.tip_orientation;
-    sum.humanlike_arm += share * own.humanlike_arm;
-    sum.humanlike_fingers += share * own.humanlike_fingers;
+    const auto factors = factors_at(time_s + 0.25 * blend_s * (cuts[i - 1] + cuts[i]));
+    sum.tip_position += share * factors.tip_position;
+    sum.tip_orientation += share * factors.tip_orientation;
+    sum.humanlike_arm += share * factors.humanlike_arm;
+    sum.humanlike_fingers += share * factors.humanlike_fingers;
   }
   return sum;
 }

@@ -11,8 +11,8 @@ namespace morphe::map {
 /// The factors on the weights of `map` during a phase (config list `map.phases`). For example,
 /// reaching may favour humanlikeness and grasping accuracy.
 struct PhaseWeights {
-  PhaseKind phase = PhaseKind::rest;  ///< the phase
-  humanlike::FrameWeights factors;    ///< factors on the weights
+  PhaseKind phase = PhaseKind::rest;
+  humanlike::FrameWeights factors;
 };
 template <class Fields>
 void fields(Fields& f, PhaseWeights& o) {
@@ -22,10 +22,9 @@ void fields(Fields& f, PhaseWeights& o) {
 /// Returns "" or the error: a phase named twice, or a negative weight.
 std::string validation_error(const std::vector<PhaseWeights>& weights);
 
-/// Returns the factors of the weights at a time: those of the surrounding phases, in the proportion
-/// in which they fill a window of `blend_s` about it, weighted by (1 + cos) so that the factors are
-/// continuous at a boundary; the phase's own with blend_s = 0. A phase that is not listed has the
-/// factor 1.
+/// Returns the factors at a time; those of a phase that is not listed are 1. They are the mean over
+/// a window of the length `blend_s` about the time, weighted by 1 + cos, which is continuous from
+/// phase to phase. If blend_s <= 0, they are the factors of the phase itself.
 humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    const std::vector<Phase>& phases, double time_s, double blend_s);
 

@@ -1,35 +1,31 @@
 #include "stages/map/placement.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/map/constants.hpp"
 #include "stages/map/finger_curve.hpp"
 
 namespace morphe::map {
 namespace {
-
-Vec3 point_on_curve(const Array2D<Vec3>& fingers, std::size_t row, double along) {
-  return finger_curve_point({fingers(row, 1), fingers(row, 2), fingers(row, 3), fingers(row, 4)},
-                            along);
-}
 
 Vec3 axis_of(const std::string& name) {
   return name == "x" ? Vec3::UnitX() : name == "y" ? Vec3::UnitY() : Vec3::UnitZ();
 }
 
 bool contains_time(const Movement& movement, double time_s) {
-  constexpr double kTimeTolerance_s = 1e-9;
-  return time_s >= movement.begin_s - kTimeTolerance_s &&
-         time_s <= movement.end_s + kTimeTolerance_s;
+  constexpr double kRounding_s = 1e-9;
+  return time_s >= movement.begin_s - kRounding_s && time_s <= movement.end_s + kRounding_s;
 }
 
 }  // namespace
 
 std::string validation_error(const PlacementOptions& options) {
-  for (const auto& turn : options.rotation) {
-    if (turn.axis != "x" && turn.axis != "y" && turn.axis != "z") {
-      return "rotation: axis must be x, y or z, not '" + turn.axis + "'";
+  for (const auto& [axis, angle] : options.rotation) {
+    if (axis != "x" && axis != "y" && axis != "z") {
+      return "rotation: axis must be x, y or z, not '" + axis + "'";
     }
   }
   return "";
@@ -37,8 +33,8 @@ std::string validation_error(const PlacementOptions& options) {
 
 Eigen::Matrix3d rotation_of(const PlacementOptions& options) {
   Pose pose = Pose::Identity();
-  for (const auto& turn : options.rotation)
-    pose.rotate(Eigen::AngleAxisd(turn.angle, axis_of(turn.axis)));
+  for (const auto& [axis, angle] : options.rotation)
+    pose.rotate(Eigen::AngleAxisd(angle, axis_of(axis)));
   return pose.linear();
 }
 
@@ -58,14 +54,13 @@ Pose place_robot(const RobotModel& robot, const Vec3& human_shoulder,
 }
 
 bool is_hand_only(const RobotModel& robot) {
-  for (const RobotModel::JointCentre& centre : robot.joint_centres) {
-    if (centre.chain == "arm") return false;
-  }
   int joints = 0;
   for (const int frame : robot::ancestors(robot, robot.palm_frame)) {
     joints += robot::joint_of(robot, frame) >= 0 ? 1 : 0;
   }
-  return joints <= 2;
+  return joints <= kMaxWristJoints &&
+         std::ranges::find(robot.joint_centres, "arm", &RobotModel::JointCentre::chain) ==
+             robot.joint_centres.end();
 }
 
 Pose place_hand(const RobotModel& robot, const PlacementOptions& options) {
@@ -78,17 +73,17 @@ Pose place_hand(const RobotModel& robot, const PlacementOptions& options) {
 }
 
 Vec3 shoulder_at_begin(const HumanMotion& motion, const Movement& movement) {
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    if (contains_time(movement, motion.time[i]) && is_known(motion.shoulder[i]))
-      return motion.shoulder[i];
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
+    const Vec3& shoulder = motion.shoulder[i];
+    if (contains_time(movement, motion.time[i]) && is_known(shoulder)) return shoulder;
   }
   return unknown_point();
 }
 
 Goals make_goals(const RobotModel& robot, const HumanMotion& motion, const Movement& movement,
                  const Pose& base_from_world) {
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  std::vector<int> rows;
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     if (contains_time(movement, motion.time[i])) rows.push_back(i);
   }
   Goals goals;
@@ -106,31 +101,30 @@ Goals make_goals(const RobotModel& robot, const HumanMotion& motion, const Movem
   const auto in_common_base = [&](const Vec3& point) -> Vec3 {
     return base_from_world * point + goals.common_base_offset;
   };
-  const auto turned = [&](const Quat& rotation) -> Quat {
+  const auto in_base = [&](const Quat& rotation) -> Quat {
     return is_known(rotation) ? Quat((base_from_world_rotation * rotation).normalized()) : rotation;
   };
-  for (std::size_t f = 0; f < rows.size(); ++f) {
-    const std::size_t row = rows[f];
+  for (int f = 0; f < std::ssize(rows); ++f) {
+    const int row = rows[f];
     goals.time.push_back(motion.time[row]);
     goals.shoulder_position.push_back(in_common_base(motion.shoulder[row]));
     goals.elbow_position.push_back(in_common_base(motion.elbow[row]));
     goals.wrist_position.push_back(in_common_base(motion.wrist[row]));
-    goals.wrist_orientation.push_back(turned(motion.wrist_orientation[row]));
-    for (std::size_t i = 0; i < robot.tips.size(); ++i) {
+    goals.wrist_orientation.push_back(in_base(motion.wrist_orientation[row]));
+    for (int i = 0; i < std::ssize(robot.tips); ++i) {
       const int finger = robot.tips[i].finger;
+      const double share = robot.tips[i].finger_curve_share;
+      const auto tip = [&](int k) { return motion.tip(row, k); };
       if (finger < 0) {
         goals.tip_position(f, i) = base_from_world * motion.wrist[row];
-        goals.tip_orientation(f, i) = turned(motion.wrist_orientation[row]);
-        continue;
+        goals.tip_orientation(f, i) = goals.wrist_orientation.back();
+      } else if (std::isfinite(share)) {
+        goals.tip_position(f, i) =
+            base_from_world * finger_curve_point({tip(1), tip(2), tip(3), tip(4)}, share);
+      } else {
+        goals.tip_position(f, i) = base_from_world * motion.tip(row, finger);
+        goals.tip_orientation(f, i) = in_base(motion.tip_orientation(row, finger));
       }
-      const double along = robot.tips[i].finger_curve_share;
-      if (std::isfinite(along)) {
-        goals.tip_position(f, i) = base_from_world * point_on_curve(motion.tip, row, along);
-        continue;
-      }
-      const auto human = static_cast<std::size_t>(finger);
-      goals.tip_position(f, i) = base_from_world * motion.tip(row, human);
-      goals.tip_orientation(f, i) = turned(motion.tip_orientation(row, human));
     }
     for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       goals.finger_joint_position(f, finger) = in_common_base(motion.finger_joint(row, finger));

@@ -8,14 +8,13 @@
 
 #include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/map/constants.hpp"
 
 namespace morphe::map {
 namespace {
 
 using Eigen::Index;
 using std::numbers::pi;
-
-constexpr std::size_t kMaxFlips = 4, kMaxMultiTurnJoints = 4;  ///< at most 2^8 equivalent postures
 
 JointVector apply_flip(const PostureSymmetries::SphericalFlip& flip, JointVector q) {
   q[flip.first] += pi;
@@ -25,88 +24,66 @@ JointVector apply_flip(const PostureSymmetries::SphericalFlip& flip, JointVector
 }
 
 /// Returns q and every combination of flips, q itself first, regardless of the limits.
-std::vector<JointVector> flip_combinations(const PostureSymmetries& twins, const JointVector& q) {
-  std::vector<JointVector> all{q};
-  for (const PostureSymmetries::SphericalFlip& flip : twins.flips) {
-    for (std::size_t k = 0, count = all.size(); k < count; ++k) {
-      all.push_back(apply_flip(flip, all[k]));
+std::vector<JointVector> flip_combinations(const PostureSymmetries& symmetries,
+                                           const JointVector& q) {
+  std::vector<JointVector> combinations{q};
+  for (const PostureSymmetries::SphericalFlip& flip : symmetries.flips) {
+    for (std::ptrdiff_t k = 0, count = std::ssize(combinations); k < count; ++k) {
+      combinations.push_back(apply_flip(flip, combinations[k]));
     }
   }
-  return all;
+  return combinations;
 }
 
-/// Returns the nearest frame before `frame` with a joint of its own; -1 if there is no such frame.
 int previous_joint_frame(const RobotModel& robot, int frame) {
-  const int before = robot.frames[frame].parent;
-  for (const int f : robot::ancestors(robot, before)) {
-    if (robot::joint_of(robot, f) >= 0) return f;
-  }
-  return -1;
+  return robot::moving_frame_of(robot, robot.frames[frame].parent);
 }
 
-/// Returns the flips suggested by the axes alone: all triples of consecutive hinges with the middle
-/// one orthogonal to both others.
+/// Returns a flip for all three consecutive hinges with the middle one orthogonal to both others.
 std::vector<PostureSymmetries::SphericalFlip> possible_flips(const RobotModel& robot) {
   std::vector<Pose> base_from_frame;
   robot::forward_kinematics(robot, JointVector::Zero(robot.lower.size()), base_from_frame);
   const auto axis = [&](int frame) -> Vec3 {
-    const auto f = static_cast<std::size_t>(frame);
-    return base_from_frame[f].linear() * robot.frames[f].axis;
+    return base_from_frame[frame].linear() * robot.frames[frame].axis;
   };
   std::vector<PostureSymmetries::SphericalFlip> flips;
-  for (int last = 0; last < static_cast<int>(robot.frames.size()); ++last) {
+  for (int last = 0; last < std::ssize(robot.frames); ++last) {
     const RobotModel::Frame& frame = robot.frames[last];
     const int middle = frame.joint < 0 ? -1 : previous_joint_frame(robot, last);
     const int first = middle < 0 ? -1 : previous_joint_frame(robot, middle);
     if (first < 0) continue;
-    constexpr double kOrthogonalityTolerance = 1e-6;
     const Vec3 a = axis(first), b = axis(middle), c = axis(last);
     if (std::abs(a.dot(b)) > kOrthogonalityTolerance ||
         std::abs(c.dot(b)) > kOrthogonalityTolerance)
       continue;
     const RobotModel::Frame& hinge = robot.frames[middle];
-    const double turn = std::atan2(b.dot(c.cross(a)), c.dot(a));  // angle that turns c to a about b
-    flips.push_back({robot.frames[first].joint, hinge.joint, frame.joint, turn / hinge.ratio});
+    const double angle = std::atan2(b.dot(c.cross(a)), c.dot(a));  // turns c to a about b
+    flips.push_back({robot.frames[first].joint, hinge.joint, frame.joint, angle / hinge.ratio});
   }
   return flips;
 }
 
 bool preserves_objective(const PostureSymmetries::SphericalFlip& flip,
                          const MappingProblem& problem) {
-  constexpr int kPostures = 3;
-  constexpr double kRelativeTolerance = 1e-6;
-  const RobotModel& robot = *problem.robot;
   std::mt19937_64 random(1);
   MappingScratch scratch;
-  const auto value = [&](std::size_t frame, const JointVector& q) {
-    scratch.model.reset(q.size());
-    add_frame_objective(problem, frame, q, scratch, scratch.model, humanlike::Curvature::none);
-    return scratch.model.value;
-  };
-  for (int k = 0; k < kPostures; ++k) {
-    JointVector q(robot.lower.size());
-    for (Index j = 0; j < q.size(); ++j) {
-      const double share = static_cast<double>(random() >> 11) * 0x1p-53;
-      q[j] = robot.lower[j] + share * (robot.upper[j] - robot.lower[j]);
-    }
+  for (int k = 0; k < kSymmetryTestPostures; ++k) {
+    const JointVector q = random_start(*problem.robot, random);
     for (const std::size_t frame : {std::size_t{0}, problem.frames() / 2, problem.frames() - 1}) {
-      const double as_is = value(frame, q);
-      if (!(std::abs(value(frame, apply_flip(flip, q)) - as_is) <=
-            kRelativeTolerance * std::abs(as_is))) {
-        return false;
-      }
+      const double original = frame_objective(problem, frame, q, scratch);
+      const double flipped = frame_objective(problem, frame, apply_flip(flip, q), scratch);
+      if (!(std::abs(flipped - original) <= kSymmetryTolerance * std::abs(original))) return false;
     }
   }
   return true;
 }
 
-/// Returns the least distance from a limit over the joints that differ among equivalent postures.
-double limit_margin(const PostureSymmetries& twins, const JointVector& q) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Index j : symmetry_joints(twins)) {
-    least = std::min({least, q[j] - twins.lower[j], twins.upper[j] - q[j]});
+double limit_margin(const PostureSymmetries& symmetries, const JointVector& q) {
+  double margin = std::numeric_limits<double>::infinity();
+  for (const Index j : symmetry_joints(symmetries)) {
+    margin = std::min({margin, q[j] - symmetries.lower[j], symmetries.upper[j] - q[j]});
   }
-  return least;
+  return margin;
 }
 
 }  // namespace
@@ -115,19 +92,19 @@ PostureSymmetries find_posture_symmetries(const MappingProblem& problem) {
   const RobotModel& robot = *problem.robot;
   PostureSymmetries symmetries{{}, {}, robot.lower, robot.upper};
   for (const PostureSymmetries::SphericalFlip& flip : possible_flips(robot)) {
-    if (symmetries.flips.size() == kMaxFlips) break;
+    if (std::ssize(symmetries.flips) == kMaxFlips) break;
     if (preserves_objective(flip, problem)) symmetries.flips.push_back(flip);
   }
-  for (Index j = 0;
-       j < robot.lower.size() && symmetries.multi_turn_joints.size() < kMaxMultiTurnJoints; ++j) {
-    if (robot.upper[j] - robot.lower[j] > 2 * pi) symmetries.multi_turn_joints.push_back(j);
+  std::vector<Index>& multi_turn = symmetries.multi_turn_joints;
+  for (Index j = 0; j < robot.lower.size() && std::ssize(multi_turn) < kMaxMultiTurnJoints; ++j) {
+    if (robot.upper[j] - robot.lower[j] > 2 * pi) multi_turn.push_back(j);
   }
   return symmetries;
 }
 
-std::vector<Index> symmetry_joints(const PostureSymmetries& twins) {
-  std::vector<Index> joints = twins.multi_turn_joints;
-  for (const PostureSymmetries::SphericalFlip& flip : twins.flips) {
+std::vector<Index> symmetry_joints(const PostureSymmetries& symmetries) {
+  std::vector<Index> joints = symmetries.multi_turn_joints;
+  for (const PostureSymmetries::SphericalFlip& flip : symmetries.flips) {
     joints.insert(joints.end(), {flip.first, flip.middle, flip.last});
   }
   std::ranges::sort(joints);
@@ -135,47 +112,48 @@ std::vector<Index> symmetry_joints(const PostureSymmetries& twins) {
   return joints;
 }
 
-bool same_up_to_symmetry(const PostureSymmetries& twins, const JointVector& a, const JointVector& b,
-                         double tolerance) {
-  for (const JointVector& twin : flip_combinations(twins, b)) {
-    double largest = 0;
-    for (Index j = 0; j < a.size() && largest < tolerance; ++j) {
-      largest = std::max(largest, std::abs(std::remainder(a[j] - twin[j], 2 * pi)));
+bool same_up_to_symmetry(const PostureSymmetries& symmetries, const JointVector& a,
+                         const JointVector& b, double tolerance) {
+  for (const JointVector& posture : flip_combinations(symmetries, b)) {
+    double difference = 0;
+    for (Index j = 0; j < a.size() && difference < tolerance; ++j) {
+      difference = std::max(difference, std::abs(std::remainder(a[j] - posture[j], 2 * pi)));
     }
-    if (largest < tolerance) return true;
+    if (difference < tolerance) return true;
   }
   return false;
 }
 
-std::vector<JointVector> equivalent_postures(const PostureSymmetries& twins, const JointVector& q) {
-  std::vector<JointVector> found;
-  for (JointVector twin : flip_combinations(twins, q)) {
+std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries,
+                                             const JointVector& q) {
+  std::vector<JointVector> postures;
+  for (JointVector posture : flip_combinations(symmetries, q)) {
     // Moves the joint to the first whole turn above the lower limit.
     const auto turn_inside = [&](Index j) {
-      twin[j] -= 2 * pi * std::floor((twin[j] - twins.lower[j]) / (2 * pi));
+      posture[j] -= 2 * pi * std::floor((posture[j] - symmetries.lower[j]) / (2 * pi));
     };
-    for (const Index j : symmetry_joints(twins)) {
-      if (twin[j] < twins.lower[j] || twin[j] > twins.upper[j]) turn_inside(j);
+    for (const Index j : symmetry_joints(symmetries)) {
+      if (posture[j] < symmetries.lower[j] || posture[j] > symmetries.upper[j]) turn_inside(j);
     }
-    std::ranges::for_each(twins.multi_turn_joints, turn_inside);
-    std::vector<JointVector> turned{twin};
-    for (const Index j : twins.multi_turn_joints) {
-      if (twin[j] + 2 * pi > twins.upper[j]) continue;
-      for (std::size_t k = 0, count = turned.size(); k < count; ++k) {
+    std::ranges::for_each(symmetries.multi_turn_joints, turn_inside);
+    std::vector<JointVector> turned{posture};
+    for (const Index j : symmetries.multi_turn_joints) {
+      if (posture[j] + 2 * pi > symmetries.upper[j]) continue;
+      for (std::ptrdiff_t k = 0, count = std::ssize(turned); k < count; ++k) {
         turned.push_back(turned[k]);
         turned.back()[j] += 2 * pi;
       }
     }
     for (JointVector& inside : turned) {
-      if ((inside.array() >= twins.lower.array()).all() &&
-          (inside.array() <= twins.upper.array()).all()) {
-        found.push_back(std::move(inside));
+      if ((inside.array() >= symmetries.lower.array()).all() &&
+          (inside.array() <= symmetries.upper.array()).all()) {
+        postures.push_back(std::move(inside));
       }
     }
   }
-  std::ranges::stable_sort(found, std::greater{},
-                           [&](const JointVector& twin) { return limit_margin(twins, twin); });
-  return found;
+  std::ranges::stable_sort(postures, std::greater{},
+                           [&](const JointVector& p) { return limit_margin(symmetries, p); });
+  return postures;
 }
 
 }  // namespace morphe::map

@@ -6,41 +6,36 @@
 
 namespace morphe::map {
 
-/// The symmetries of the robot's postures that the objective cannot distinguish, because they place
-/// every link alike. If the axes of three consecutive joints meet as in a shoulder (the middle
-/// joint is orthogonal to both others and can make them parallel), then
-///   (q_first, q_middle, q_last) ~ (q_first + π, 2 parallel - q_middle, q_last + π),
-/// and the same holds for whole turns of every joint. A search only needs to consider one of these
-/// postures, unless it is stopped by a limit. For a robot with very many symmetries, only some are
-/// included.
+/// The symmetries of the robot's postures: equivalent postures have the same objective. There are
+/// two kinds. A flip exists if the axes of three consecutive joints meet as in a shoulder (the
+/// middle one is orthogonal to both others and can make them parallel):
+///   (q_first, q_middle, q_last) ~ (q_first + π, 2 parallel - q_middle, q_last + π).
+/// A whole turn exists for every joint whose range allows it. A search needs only one of equivalent
+/// postures, unless a limit stops the path from it. At most kMaxFlips flips and kMaxMultiTurnJoints
+/// joints are included.
 struct PostureSymmetries {
-  /// A pair of postures of three consecutive joints with the same link poses.
+  /// Three consecutive joints with two sets of positions that move all later links alike.
   struct SphericalFlip {
-    Eigen::Index first, middle, last;  ///< the three joints
-    /// Position of the middle joint at which the outer axes are parallel [rad].
-    double parallel_rad;
+    int first, middle, last;
+    double parallel_rad;  ///< position of the middle joint at which the outer axes are parallel
   };
   std::vector<SphericalFlip> flips;             ///< flips that preserve the objective
   std::vector<Eigen::Index> multi_turn_joints;  ///< joints with a range of more than a whole turn
   JointVector lower, upper;                     ///< [n] limits of the robot
 };
 
-/// Returns the flips of the problem's robot that preserve its objective, which is tested at a few
-/// postures and frames.
+/// Returns the symmetries of the robot that preserve the objective at a few postures and frames.
 PostureSymmetries find_posture_symmetries(const MappingProblem& problem);
 
 /// Returns the joints in which equivalent postures differ.
-std::vector<Eigen::Index> symmetry_joints(const PostureSymmetries& twins);
-
-/// Distance in every joint below which two postures are minima of one basin [rad].
-inline constexpr double kBasinTolerance_rad = 0.1;
+std::vector<Eigen::Index> symmetry_joints(const PostureSymmetries& symmetries);
 
 /// Returns true if a is b or equivalent to b, within `tolerance` in every joint [rad].
-bool same_up_to_symmetry(const PostureSymmetries& twins, const JointVector& a, const JointVector& b,
-                         double tolerance);
+bool same_up_to_symmetry(const PostureSymmetries& symmetries, const JointVector& a,
+                         const JointVector& b, double tolerance);
 
-/// Returns q and its equivalent postures that are within the limits; those farthest from the limits
-/// come first.
-std::vector<JointVector> equivalent_postures(const PostureSymmetries& twins, const JointVector& q);
+/// Returns q and its equivalent postures within the limits, those farthest from the limits first.
+std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries,
+                                             const JointVector& q);
 
 }  // namespace morphe::map

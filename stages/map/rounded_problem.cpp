@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "stages/map/constants.hpp"
+
 namespace morphe::map {
 namespace {
-
-constexpr double kGridStep_m = 0x1p-13, kGridStep_rad = 0x1p-10;
 
 void to_grid(double step, double& value) { value = step * std::round(value / step); }
 
@@ -17,29 +17,22 @@ void to_grid(Vec3& point) {
 }
 
 void to_grid(Quat& rotation) {
-  Eigen::Index largest = 0;
-  rotation.coeffs().cwiseAbs().maxCoeff(&largest);
-  if (rotation.coeffs()[largest] < 0) rotation.coeffs() *= -1;
+  Eigen::Index largest_index = 0;
+  rotation.coeffs().cwiseAbs().maxCoeff(&largest_index);  // q and -q are the same rotation
+  if (rotation.coeffs()[largest_index] < 0) rotation.coeffs() *= -1;
   for (double& part : rotation.coeffs()) to_grid(part);
   rotation.normalize();
-}
-
-template <class Values>
-void all_to_grid(Values& values) {
-  for (auto& value : values) to_grid(value);
-}
-
-void object_to_grid(SceneObject& object) {
-  for (double& length : object.size) to_grid(kGridStep_m, length);
-  all_to_grid(object.position);
-  all_to_grid(object.orientation);
 }
 
 }  // namespace
 
 RoundedProblem::RoundedProblem(MappingProblem exact)
     : scene(*exact.world->scene), world(*exact.world), problem(std::move(exact)) {
-  for (SceneObject& object : scene.objects) object_to_grid(object);
+  for (SceneObject& object : scene.objects) {
+    for (double& length : object.size) to_grid(kGridStep_m, length);
+    for (Vec3& position : object.position) to_grid(position);
+    for (Quat& orientation : object.orientation) to_grid(orientation);
+  }
   for (humanlike::FrameGoal& goal : problem.goals) {
     humanlike::for_each_quantity(goal, [](auto& quantity) { to_grid(quantity); });
   }

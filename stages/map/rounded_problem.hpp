@@ -4,10 +4,9 @@
 
 namespace morphe::map {
 
-/// A problem with goals and object poses rounded to a grid of an eighth of a millimetre and of a
-/// milliradian. A search among many minima amplifies any difference of its inputs, be it the last
-/// digit of a file; on the grid, recordings of one movement are the same problem. The object owns
-/// the data to which its problem points.
+/// A problem with goals and objects rounded to a grid of kGridStep_m and kGridStep_rad, and the
+/// scene and world that it points to. A search among many minima amplifies any difference between
+/// its inputs, even in the last digit of a file; the grid removes nearly all such differences.
 struct RoundedProblem {
   /// Rounds a problem.
   explicit RoundedProblem(MappingProblem exact);

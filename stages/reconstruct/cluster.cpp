@@ -1,6 +1,7 @@
 #include "stages/reconstruct/cluster.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/math/statistics.hpp"
 #include "stages/reconstruct/gaps.hpp"
@@ -8,80 +9,75 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr std::size_t kNoMarker = -1;
-
-/// Returns the pose of the body in one frame, without using the marker `left_out`.
-Pose pose_at(const std::vector<Vec3>& shape, const std::vector<std::vector<Vec3>>& tracks,
-             std::size_t frame, std::size_t left_out = kNoMarker) {
-  std::vector<Vec3> now;
-  for (const auto& track : tracks) now.push_back(track[frame]);
-  if (left_out != kNoMarker) now[left_out] = unknown_point();
-  return math::fit_rigid_transform(shape, now);
+Pose pose_at(const std::vector<Vec3>& shape, const ClusterTracks& tracks, std::size_t frame,
+             std::optional<std::size_t> left_out = {}) {
+  std::vector<Vec3> markers;
+  for (const auto& track : tracks) markers.push_back(track[frame]);
+  if (left_out) markers[*left_out] = unknown_point();
+  return math::fit_rigid_transform(shape, markers);
 }
 
 }  // namespace
 
 Vec3 median_in_body(const std::vector<Pose>& world_from_body, const std::vector<Vec3>& track) {
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < track.size(); ++i) {
-    places.emplace_back(world_from_body[i].inverse() * track[i]);
+  std::vector<Vec3> in_body;
+  for (int i = 0; i < std::ssize(track); ++i) {
+    in_body.emplace_back(world_from_body[i].inverse() * track[i]);
   }
-  return math::median_point(places);
+  return math::median_point(in_body);
 }
 
-std::vector<Pose> fit_poses(const std::vector<Vec3>& shape,
-                            const std::vector<std::vector<Vec3>>& tracks) {
+std::vector<Pose> fit_poses(const std::vector<Vec3>& shape, const ClusterTracks& tracks) {
   std::vector<Pose> poses;
-  const std::size_t frames = tracks.empty() ? 0 : tracks.front().size();
-  for (std::size_t i = 0; i < frames; ++i) poses.push_back(pose_at(shape, tracks, i));
+  const std::ptrdiff_t frames = tracks.empty() ? 0 : std::ssize(tracks.front());
+  for (int i = 0; i < frames; ++i) poses.push_back(pose_at(shape, tracks, i));
   return poses;
 }
 
-std::vector<Vec3> median_shape(const std::vector<std::vector<Vec3>>& tracks) {
+std::vector<Vec3> median_shape(const ClusterTracks& tracks) {
   constexpr int kMaxRounds = 3;
   std::vector<Vec3> shape(tracks.size(), unknown_point());
-  const std::size_t frames = tracks.empty() ? 0 : tracks.front().size();
-  std::ptrdiff_t most = 2;
-  for (std::size_t i = 0; i < frames; ++i) {
+  const std::ptrdiff_t frames = tracks.empty() ? 0 : std::ssize(tracks.front());
+  std::ptrdiff_t max_shown = 2;
+  for (int i = 0; i < frames; ++i) {
     const auto shown =
         std::ranges::count_if(tracks, [&](const auto& track) { return is_known(track[i]); });
-    if (shown <= most) continue;
-    most = shown;
-    for (std::size_t k = 0; k < tracks.size(); ++k) shape[k] = tracks[k][i];
+    if (shown <= max_shown) continue;
+    max_shown = shown;
+    for (int k = 0; k < std::ssize(tracks); ++k) shape[k] = tracks[k][i];
   }
   for (int round = 0; round < kMaxRounds; ++round) {
     const std::vector<Pose> poses = fit_poses(shape, tracks);
-    for (std::size_t k = 0; k < tracks.size(); ++k) shape[k] = median_in_body(poses, tracks[k]);
+    for (int k = 0; k < std::ssize(tracks); ++k) shape[k] = median_in_body(poses, tracks[k]);
   }
   return shape;
 }
 
-void fill_marker_gaps(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks,
-                      std::size_t marker) {
+void fill_marker_gaps(const std::vector<Vec3>& shape, ClusterTracks& tracks, std::size_t marker) {
   std::vector<Vec3>& track = tracks[marker];
-  if (!is_known(shape[marker]) || std::ranges::all_of(track, [](auto& p) { return is_known(p); }))
-    return;
+  const auto seen = [](const Vec3& point) { return is_known(point); };
+  if (!is_known(shape[marker]) || std::ranges::all_of(track, seen)) return;
   std::vector<Pose> world_from_body;
   std::vector<Vec3> deviation;  // in the body's frame
-  for (std::size_t i = 0; i < track.size(); ++i) {
+  for (int i = 0; i < std::ssize(track); ++i) {
     world_from_body.push_back(pose_at(shape, tracks, i, marker));
     deviation.push_back(world_from_body[i].inverse() * track[i] - shape[marker]);
   }
   interpolate_unseen(deviation);
-  for (std::size_t i = 0; i < track.size(); ++i) {
+  for (int i = 0; i < std::ssize(track); ++i) {
     if (is_known(track[i])) continue;
-    const Vec3 slid = is_known(deviation[i]) ? deviation[i] : Vec3::Zero();
-    const Vec3 carried = world_from_body[i] * (shape[marker] + slid);
-    if (is_known(carried)) track[i] = carried;
+    const Vec3 offset = is_known(deviation[i]) ? deviation[i] : Vec3::Zero();
+    const Vec3 position = world_from_body[i] * (shape[marker] + offset);
+    if (is_known(position)) track[i] = position;
   }
 }
 
-void fill_cluster_gaps(const std::vector<Vec3>& shape, std::vector<std::vector<Vec3>>& tracks) {
-  std::vector<std::vector<Vec3>> completed = tracks;
-  for (std::size_t k = 0; k < tracks.size(); ++k) {
-    std::vector<std::vector<Vec3>> work = tracks;
-    fill_marker_gaps(shape, work, k);
-    completed[k] = std::move(work[k]);
+void fill_cluster_gaps(const std::vector<Vec3>& shape, ClusterTracks& tracks) {
+  ClusterTracks completed = tracks;
+  for (int k = 0; k < std::ssize(tracks); ++k) {
+    ClusterTracks filled = tracks;
+    fill_marker_gaps(shape, filled, k);
+    completed[k] = std::move(filled[k]);
   }
   tracks = std::move(completed);
 }

@@ -11,15 +11,20 @@ namespace morphe::reconstruct {
 namespace {
 
 constexpr int kMaxIterations = 60, kMaxInitialSolves = 50;
-constexpr double kStepTolerance_rad = 1e-8;        // [rad]
-constexpr double kPosturePrior_m_per_rad = 0.005;  // weight of the last frame's angles [m/rad]
+constexpr double kStepTolerance_rad = 1e-8;
+constexpr double kPosturePrior_m_per_rad = 0.005;  ///< weight of the change of an angle
+
+/// Returns true if all points of a finger beyond its base are seen.
+bool is_finger_seen(const HandKeypoints& points, std::size_t finger) {
+  return is_known(points[keypoint_index(finger, 1)]) &&
+         is_known(points[keypoint_index(finger, 2)]) && is_known(points[keypoint_index(finger, 3)]);
+}
 
 }  // namespace
 
-/// The state of one finger's minimisation.
 struct FingerIkSolver::FingerSolve {
   Angles lower, upper, joint, trial;
-  double error = kUnknown;  ///< error of `joint`
+  double error = kUnknown;  ///< of `joint`; NaN before the first evaluation
   double damping = 1e-3;
   Eigen::Matrix<double, 9, 4> jacobian = Eigen::Matrix<double, 9, 4>::Zero();
   Eigen::Matrix<double, 9, 1> residual;
@@ -46,13 +51,12 @@ struct FingerIkSolver::FingerSolve {
   }
 };
 
-FingerIkSolver::FingerIkSolver(RobotModel hand, double most_step)
-    : hand_(std::move(hand)), max_step_rad_(most_step) {
-  for (std::size_t frame = 0; frame < hand_.frames.size(); ++frame) {
-    const auto joint = static_cast<std::size_t>(hand_.frames[frame].joint);
-    if (hand_.frames[frame].joint >= 0 && joint < kHandAngleCount) {
-      fingers_[joint / kJoints].frames[joint % kJoints] = frame;
-    }
+FingerIkSolver::FingerIkSolver(RobotModel hand, double max_step_rad)
+    : hand_(std::move(hand)), max_step_rad_(max_step_rad) {
+  for (int frame = 0; frame < std::ssize(hand_.frames); ++frame) {
+    const int joint = hand_.frames[frame].joint;
+    if (joint < 0 || joint / kJoints >= std::ssize(fingers_)) continue;
+    fingers_[joint / kJoints].frames[joint % kJoints] = frame;
   }
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     fingers_[f].lower = hand_.lower.segment<4>(kJoints * f);
@@ -61,15 +65,15 @@ FingerIkSolver::FingerIkSolver(RobotModel hand, double most_step)
   }
 }
 
-void FingerIkSolver::start(const HandKeypoints& in_hand,
-                           std::array<FingerSolve, kFingerCount>& tasks) const {
+void FingerIkSolver::prepare(const HandKeypoints& in_hand,
+                             std::array<FingerSolve, kFingerCount>& tasks) const {
   for (std::size_t f = 0; f < kFingerCount; ++f) {
     const Finger& finger = fingers_[f];
-    const double reach = finger.was_seen ? max_step_rad_ : std::numeric_limits<double>::infinity();
-    tasks[f].lower = finger.lower.cwiseMax((finger.last.array() - reach).matrix());
-    tasks[f].upper = finger.upper.cwiseMin((finger.last.array() + reach).matrix());
+    const double bound = finger.was_seen ? max_step_rad_ : std::numeric_limits<double>::infinity();
+    tasks[f].lower = finger.lower.cwiseMax((finger.last.array() - bound).matrix());
+    tasks[f].upper = finger.upper.cwiseMin((finger.last.array() + bound).matrix());
     tasks[f].joint = tasks[f].trial = finger.last;
-    for (std::size_t k = 1; k < 4; ++k) tasks[f].done |= !is_known(in_hand[keypoint_index(f, k)]);
+    tasks[f].done = !is_finger_seen(in_hand, f);
   }
 }
 
@@ -78,9 +82,7 @@ void FingerIkSolver::minimise(const HandKeypoints& in_hand,
   JointVector q = JointVector::Zero(hand_.joints());
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (std::ranges::all_of(tasks, [](const FingerSolve& task) { return task.done; })) return;
-    for (std::size_t f = 0; f < kFingerCount; ++f) {
-      q.segment<4>(kJoints * f) = tasks[f].trial;
-    }
+    for (std::size_t f = 0; f < kFingerCount; ++f) q.segment<4>(kJoints * f) = tasks[f].trial;
     robot::forward_kinematics(hand_, q, frames_);
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       FingerSolve& task = tasks[f];
@@ -89,22 +91,23 @@ void FingerIkSolver::minimise(const HandKeypoints& in_hand,
       const Vec3 points[] = {frames_[finger.frames[2]].translation(),
                              frames_[finger.frames[3]].translation(),
                              frames_[finger.frames[3]] * finger.tip_in_last};
-      Eigen::Matrix<double, 9, 1> rest;
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        rest.segment<3>(3 * k) = in_hand[keypoint_index(f, k + 1)] - points[k];
+      Eigen::Matrix<double, 9, 1> residual;
+      for (int k = 0; k < 3; ++k) {
+        residual.segment<3>(3 * k) = in_hand[keypoint_index(f, k + 1)] - points[k];
       }
-      const double error = rest.squaredNorm() + kPosturePrior_m_per_rad * kPosturePrior_m_per_rad *
-                                                    (task.trial - finger.last).squaredNorm();
-      if (!(error >= task.error)) {
+      const double error = residual.squaredNorm() + kPosturePrior_m_per_rad *
+                                                        kPosturePrior_m_per_rad *
+                                                        (task.trial - finger.last).squaredNorm();
+      if (!(error >= task.error)) {  // also if task.error is NaN
         task.error = error;
         task.joint = task.trial;
-        task.residual = rest;
+        task.residual = residual;
         task.damping = std::max(1e-12, task.damping / 10);
-        for (Eigen::Index j = 0; j < 4; ++j) {
-          const std::size_t at = finger.frames[j];
-          const Vec3 axis = frames_[at].linear() * hand_.frames[at].axis;
-          for (Eigen::Index k = std::max<Eigen::Index>(0, j - 1); k < 3; ++k) {
-            task.jacobian.block<3, 1>(3 * k, j) = axis.cross(points[k] - frames_[at].translation());
+        for (int j = 0; j < 4; ++j) {
+          const Pose& pose = frames_[finger.frames[j]];
+          const Vec3 axis = pose.linear() * hand_.frames[finger.frames[j]].axis;
+          for (int k = std::max(0, j - 1); k < 3; ++k) {
+            task.jacobian.block<3, 1>(3 * k, j) = axis.cross(points[k] - pose.translation());
           }
         }
       } else {
@@ -116,16 +119,15 @@ void FingerIkSolver::minimise(const HandKeypoints& in_hand,
 }
 
 human::HandAngles FingerIkSolver::operator()(const HandKeypoints& in_hand) {
-  bool any_first = false;
-  for (std::size_t f = 0; f < kFingerCount; ++f) {
-    Finger& finger = fingers_[f];
+  bool any_unsolved = false;
+  for (Finger& finger : fingers_) {
     if (!finger.was_seen) finger.last = 0.5 * (finger.lower + finger.upper);
-    any_first = any_first || !finger.was_seen;
+    any_unsolved = any_unsolved || !finger.was_seen;
   }
   human::HandAngles angles;
-  for (int round = 0; round < (any_first ? kMaxInitialSolves : 1); ++round) {
+  for (int round = 0; round < (any_unsolved ? kMaxInitialSolves : 1); ++round) {
     std::array<FingerSolve, kFingerCount> tasks;
-    start(in_hand, tasks);
+    prepare(in_hand, tasks);
     for (std::size_t f = 0; f < kFingerCount; ++f) {
       tasks[f].done = tasks[f].done || (round > 0 && fingers_[f].was_seen);
     }
@@ -135,10 +137,8 @@ human::HandAngles FingerIkSolver::operator()(const HandKeypoints& in_hand) {
     }
   }
   for (std::size_t f = 0; f < kFingerCount; ++f) {
-    fingers_[f].was_seen = true;
-    for (std::size_t k = 1; k < 4; ++k)
-      fingers_[f].was_seen &= is_known(in_hand[keypoint_index(f, k)]);
-    for (std::size_t k = 0; k < kJoints; ++k) {
+    fingers_[f].was_seen = is_finger_seen(in_hand, f);
+    for (int k = 0; k < kJoints; ++k) {
       angles.joint[kJoints * f + k] = fingers_[f].was_seen ? fingers_[f].last[k] : kUnknown;
     }
   }

@@ -13,14 +13,11 @@ namespace {
 constexpr std::size_t kPalmArch = 19;
 /// The sensors of the fingers' last joints, each preceded by its middle joint.
 constexpr std::size_t kDipSensors[] = {6, 9, 13, 17};
-/// The flexion of last joints is coupled to the middle joint's by the tendons, with a ratio of
-/// about 2/3.
-constexpr double kDipToPipRatio = 2.0 / 3;
+constexpr double kDipToPipRatio = 2.0 / 3;  ///< approximate: tendons couple the two joints
 
 double mean_seen(const HandStream& glove, Eigen::Index sensor) {
   double sum = 0, count = 0;
-  for (Eigen::Index row = 0; row < glove.angles.rows(); ++row) {
-    const double angle = glove.angles(row, sensor);
+  for (const double angle : glove.angles.col(sensor)) {
     if (!std::isfinite(angle)) continue;
     sum += angle;
     ++count;
@@ -29,27 +26,24 @@ double mean_seen(const HandStream& glove, Eigen::Index sensor) {
 }
 
 bool all_unseen(const std::vector<double>& column) {
-  return std::none_of(column.begin(), column.end(), [](double a) { return std::isfinite(a); });
+  return std::ranges::none_of(column, [](double angle) { return std::isfinite(angle); });
 }
 
-/// Fills the columns of missing sensors from the sensors coupled to them.
-GloveColumns fill_missing_sensors(const GloveColumns& glove, std::vector<std::string>& estimated) {
-  GloveColumns whole = glove;
+GloveColumns fill_missing_sensors(GloveColumns glove, std::vector<std::string>& estimated) {
   const auto note = [&](std::size_t sensor) {
     estimated.push_back(std::string("glove sensor ") + human::kGloveSensors[sensor]);
   };
   for (const std::size_t last : kDipSensors) {
-    if (!all_unseen(whole[last]) || all_unseen(whole[last - 1])) continue;
-    for (std::size_t i = 0; i < whole[last].size(); ++i) {
-      whole[last][i] = kDipToPipRatio * whole[last - 1][i];
-    }
+    if (!all_unseen(glove[last]) || all_unseen(glove[last - 1])) continue;
+    std::ranges::transform(glove[last - 1], glove[last].begin(),
+                           [](double middle) { return kDipToPipRatio * middle; });
     note(last);
   }
-  if (all_unseen(whole[kPalmArch]) && !std::all_of(whole.begin(), whole.end(), all_unseen)) {
-    std::fill(whole[kPalmArch].begin(), whole[kPalmArch].end(), 0.0);
+  if (all_unseen(glove[kPalmArch]) && !std::ranges::all_of(glove, all_unseen)) {
+    std::ranges::fill(glove[kPalmArch], 0.0);
     note(kPalmArch);
   }
-  return whole;
+  return glove;
 }
 
 }  // namespace
@@ -67,9 +61,7 @@ GloveColumns resample_glove(const HandStream& glove, const std::optional<HandStr
     if (calibrated) zero = mean_seen(*flat_hand, sensor);
     if (!std::isfinite(zero)) zero = 0;
     std::vector<double>& column = columns.emplace_back();
-    for (Eigen::Index i = 0; i < glove.angles.rows(); ++i) {
-      column.push_back(glove.angles(i, sensor) - zero);
-    }
+    for (const double angle : glove.angles.col(sensor)) column.push_back(angle - zero);
   }
   return filter_glove(time, columns, clock, options);
 }
@@ -79,26 +71,23 @@ void pose_fingers(const GloveColumns& glove, const human::HandSize& size, HumanM
   const RobotModel hand = human::human_hand(size);
   RobotModel flat_palm = hand;  // the arch, after kHandAngleNames, bends no finger
   for (RobotModel::Frame& frame : flat_palm.frames) {
-    if (frame.joint == static_cast<int>(kHandAngleCount)) frame.joint = -1;
+    if (frame.joint == std::ssize(kHandAngleNames)) frame.joint = -1;
   }
   motion.bones = robot::hand_dimensions(flat_palm);
   std::vector<Pose> frames;
-  const auto rows = static_cast<Eigen::Index>(motion.time.size());
-  motion.hand_angles.resize(rows, kHandAngleCount);
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  motion.hand_angles.resize(motion.time.size(), kHandAngleCount);
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     human::GloveAngles angles;
     for (std::size_t k = 0; k < human::kGloveSensorCount; ++k) angles[k] = columns[k][i];
     const human::HandAngles decoded = human::decode_glove(angles).hand;
-    for (std::size_t k = 0; k < kHandAngleCount; ++k) {
-      motion.hand_angles(i, k) = decoded.joint[k];
-    }
+    for (std::size_t k = 0; k < kHandAngleCount; ++k) motion.hand_angles(i, k) = decoded.joint[k];
     const human::HandPoints points = human::hand_points(hand, decoded, frames);
+    const Vec3& wrist = motion.wrist[i];
     const Quat& world_from_hand = motion.wrist_orientation[i];
     for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
       if (!is_known(points.tip[finger])) continue;
-      motion.tip(i, finger) = motion.wrist[i] + world_from_hand * points.tip[finger];
-      motion.finger_joint(i, finger) =
-          motion.wrist[i] + world_from_hand * points.middle_joint[finger];
+      motion.tip(i, finger) = wrist + world_from_hand * points.tip[finger];
+      motion.finger_joint(i, finger) = wrist + world_from_hand * points.middle_joint[finger];
       motion.tip_orientation(i, finger) = world_from_hand * points.tip_orientation[finger];
     }
   }
@@ -108,8 +97,7 @@ human::HandSize hand_size_of(const Demonstration& demonstration, const HumanOpti
                              std::vector<std::string>& estimated) {
   human::HandSize size = human::hand_size_of_stature(human.stature_m.value_or(kDefaultStature_m));
   if (demonstration.hand_length) {
-    // The breadth is scaled to this length, unless it was measured too.
-    size.breadth *= *demonstration.hand_length / size.length;
+    size.breadth *= *demonstration.hand_length / size.length;  // replaced below if it was measured
     size.length = *demonstration.hand_length;
   } else {
     estimated.push_back("hand length");

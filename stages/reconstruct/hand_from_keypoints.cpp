@@ -3,33 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/math/rotation.hpp"
 #include "stages/reconstruct/finger_ik_solver.hpp"
+#include "stages/reconstruct/residual_sum.hpp"
 #include "stages/reconstruct/streams.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kMaxJointSpeed_rad_s = 30;  // of a finger's joint [rad/s]
+constexpr double kMaxJointSpeed_rad_s = 30;
 
-bool seen_point(const Vec3& point) { return is_known(point); }
-
-struct ResidualAccumulator {
-  double squares = 0, max = 0;
-  std::size_t count = 0;
-  void add(double distance) {
-    if (!std::isfinite(distance)) return;
-    squares += distance * distance;
-    max = std::max(max, distance);
-    ++count;
-  }
-  void report(const std::string& name, std::vector<Residual>& residuals) const {
-    if (count > 0)
-      residuals.push_back({name, std::sqrt(squares / static_cast<double>(count)), max});
-  }
-};
+bool is_any_seen(const HandKeypoints& points) {
+  return std::ranges::any_of(points, [](const Vec3& point) { return is_known(point); });
+}
 
 }  // namespace
 
@@ -54,10 +41,10 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
   fitted.angles.resize(frames.size(), kHandAngleCount);
   fitted.joints = Array2D<Vec3>(frames.size(), kHandKeypoints, unknown_point());
   fitted.tip_orientation = Array2D<Quat>(frames.size(), kFingerCount, unknown_rotation());
-  ResidualAccumulator moved;
-  std::array<ResidualAccumulator, kFingerCount> missed;
+  ResidualSum shifts;
+  std::array<ResidualSum, kFingerCount> misfits;
   std::vector<Pose> poses;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  for (int i = 0; i < std::ssize(frames); ++i) {
     const Eigen::Matrix3d axes = fit_palm(*shape, frames[i]);
     HandKeypoints in_hand;
     for (std::size_t k = 0; k < kHandKeypoints; ++k) {
@@ -70,24 +57,21 @@ std::optional<FittedHand> fit_hand(const std::vector<HandKeypoints>& frames,
     const human::HandPoints points = human::hand_points(hand, angles, poses);
     for (std::size_t k = 0; is_known(in_hand[0]) && k < kHandKeypoints; ++k) {
       fitted.joints(i, k) = joints[k];
-      moved.add((joints[k] - in_hand[k]).norm());
+      shifts.add((joints[k] - in_hand[k]).norm());
     }
     for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      const Vec3& tip = joints[keypoint_index(finger, 3)];
       if (!is_known(points.tip[finger])) continue;
-      missed[finger].add((points.tip[finger] - tip).norm());
-      missed[finger].add((points.middle_joint[finger] - joints[keypoint_index(finger, 1)]).norm());
-      const Quat& modelled = points.tip_orientation[finger];
-      fitted.tip_orientation(i, finger) =
-          (math::shortest_rotation(modelled * Vec3::UnitZ(),
-                                   tip - joints[keypoint_index(finger, 2)]) *
-           modelled)
-              .normalized();
+      const auto joint = [&](std::size_t k) { return joints[keypoint_index(finger, k)]; };
+      misfits[finger].add((points.tip[finger] - joint(3)).norm());
+      misfits[finger].add((points.middle_joint[finger] - joint(1)).norm());
+      const Quat& model = points.tip_orientation[finger];
+      const Quat bend = math::shortest_rotation(model * Vec3::UnitZ(), joint(3) - joint(2));
+      fitted.tip_orientation(i, finger) = (bend * model).normalized();
     }
   }
-  moved.report("keypoints, bones constant", fitted.residuals);
+  shifts.report("keypoints, bones constant", fitted.residuals);
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    missed[finger].report(fmt::format("hand angles, {}", kFingerNames[finger]), fitted.residuals);
+    misfits[finger].report(fmt::format("hand angles, {}", kFingerNames[finger]), fitted.residuals);
   }
   return fitted;
 }
@@ -102,41 +86,54 @@ void add_hand_angles(const FittedHand& fitted, HumanMotion& motion) {
       "usually below 20 mm); the thumb's angles and the roll of its tip depend on it");
 }
 
+void set_finger_points(const std::vector<HandKeypoints>& frames, HumanMotion& motion) {
+  for (int i = 0; i < std::ssize(frames); ++i) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      motion.tip(i, finger) = frames[i][keypoint_index(finger, 3)];
+      motion.finger_joint(i, finger) = frames[i][keypoint_index(finger, 1)];
+    }
+  }
+}
+
+void set_tip_orientations(const FittedHand& fitted, HumanMotion& motion) {
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      motion.tip_orientation(i, finger) =
+          motion.wrist_orientation[i] * fitted.tip_orientation(i, finger);
+    }
+  }
+}
+
 void add_hand_from_keypoints(const HandStream& keypoints, const std::optional<double>& hand_length,
                              const TimeGrid& clock, const ReconstructOptions& options,
                              HumanMotion& motion) {
   std::vector<HandKeypoints> frames(clock.count);
   std::vector<Vec3> track(keypoints.time.size());
   for (std::size_t k = 0; k < kHandKeypoints; ++k) {
-    for (std::size_t i = 0; i < track.size(); ++i) track[i] = keypoints.position(i, k);
-    const std::vector<Vec3> on = resample(keypoints.time, track, clock, options);
-    for (std::size_t i = 0; i < clock.count; ++i) frames[i][k] = on[i];
+    for (int i = 0; i < std::ssize(track); ++i) track[i] = keypoints.position(i, k);
+    const std::vector<Vec3> resampled = resample(keypoints.time, track, clock, options);
+    for (int i = 0; i < clock.count; ++i) frames[i][k] = resampled[i];
   }
   const std::optional<FittedHand> fitted = fit_hand(frames, hand_length, clock.rate_hz);
   if (!fitted) {
-    const bool nothing = std::ranges::none_of(frames, [](const HandKeypoints& points) {
-      return std::ranges::any_of(points, seen_point);
-    });
     motion.reconstruction_notes.push_back(
-        nothing ? fmt::format("the hand was never seen twice within reconstruct.max_gap_s ({} s): "
-                              "it cannot be reconstructed",
-                              options.max_gap_s)
-                : "the hand's points were never all seen together: the lengths of its bones are "
-                  "unknown");
+        std::ranges::none_of(frames, is_any_seen)
+            ? fmt::format("the hand was never seen twice within reconstruct.max_gap_s ({} s): it "
+                          "cannot be reconstructed",
+                          options.max_gap_s)
+            : "the hand's points were never all seen together: the lengths of its bones are "
+              "unknown");
     return;
   }
   add_hand_angles(*fitted, motion);
   motion.bones = fitted->bones;
-  for (std::size_t i = 0; i < clock.count; ++i) {
-    const Quat& world_from_hand = motion.wrist_orientation[i];
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      motion.tip(i, finger) =
-          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_index(finger, 3));
-      motion.finger_joint(i, finger) =
-          motion.wrist[i] + world_from_hand * fitted->joints(i, keypoint_index(finger, 1));
-      motion.tip_orientation(i, finger) = world_from_hand * fitted->tip_orientation(i, finger);
+  for (int i = 0; i < clock.count; ++i) {
+    for (std::size_t k = 0; k < kHandKeypoints; ++k) {
+      frames[i][k] = motion.wrist[i] + motion.wrist_orientation[i] * fitted->joints(i, k);
     }
   }
+  set_finger_points(frames, motion);
+  set_tip_orientations(*fitted, motion);
 }
 
 HumanMotion motion_from_hand(const Demonstration& demonstration,

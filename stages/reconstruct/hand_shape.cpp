@@ -1,6 +1,5 @@
 #include "stages/reconstruct/hand_shape.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -12,41 +11,38 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Returns the median of a number over the frames, NaN in frames without it; NaN if no frame has
-/// it.
+/// Returns the median of number(frame) over the frames in which it is finite; NaN if it never is.
 template <class Number>
 double median_over(const std::vector<HandKeypoints>& frames, const Number& number) {
   std::vector<double> values;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  for (int i = 0; i < std::ssize(frames); ++i) {
     const double value = number(i);
     if (std::isfinite(value)) values.push_back(value);
   }
   return math::median(std::move(values));
 }
 
-/// Returns the median position of a point in the hand frame.
-Vec3 median_place(const std::vector<HandKeypoints>& frames,
-                  const std::vector<Eigen::Matrix3d>& axes, std::size_t point) {
-  Vec3 place;
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    place[c] = median_over(
-        frames, [&](std::size_t i) { return axes[i].col(c).dot(frames[i][point] - frames[i][0]); });
+Vec3 median_in_hand(const std::vector<HandKeypoints>& frames,
+                    const std::vector<Eigen::Matrix3d>& axes, std::size_t point) {
+  Vec3 median;
+  for (int c = 0; c < 3; ++c) {
+    median[c] = median_over(
+        frames, [&](int i) { return axes[i].col(c).dot(frames[i][point] - frames[i][0]); });
   }
-  return place;
+  return median;
 }
 
-/// Estimates the thumb's base by the proportions of Buchholz et al. (1992) from the rest of the
-/// hand: on the line from the median position of its MCP to the base given by the proportions, at
-/// the length of the metacarpal that corresponds to the thumb's other two bones.
+/// Estimates the thumb's base by the proportions of Buchholz et al. (1992): on the line from the
+/// MCP towards the base that they give, at a metacarpal's length for the thumb's other two bones.
 void estimate_thumb_base(const Vec3& mcp, HandShape& shape) {
   const robot::ThumbProportions& thumb = robot::kThumbProportions;
   const double breadth = (shape.base[kIndex].y() - shape.base[kLittle].y()) /
                          (robot::kFingerProportions[kIndex - 1].across -
                           robot::kFingerProportions[kLittle - 1].across);
-  const Vec3 usual(0, thumb.across * breadth, thumb.along * shape.length());
+  const Vec3 typical_base(0, thumb.across * breadth, thumb.along * shape.length());
   auto& bones = shape.bone_lengths[kThumb];
   bones[0] = thumb.metacarpal / (thumb.proximal + thumb.distal) * (bones[1] + bones[2]);
-  shape.base[kThumb] = mcp + bones[0] * (usual - mcp).normalized();
+  shape.base[kThumb] = mcp + bones[0] * (typical_base - mcp).normalized();
   shape.thumb_base_estimated = true;
 }
 
@@ -54,19 +50,14 @@ void estimate_thumb_base(const Vec3& mcp, HandShape& shape) {
 
 Eigen::Matrix3d hand_axes(const Vec3& to_fingers, const Vec3& to_thumb) {
   const Vec3 z = to_fingers.normalized();
-  const Vec3 square = to_thumb - to_thumb.dot(z) * z;
-  if (!(square.norm() > 1e-3 * to_thumb.norm()) || !(to_fingers.norm() > 0)) {
+  const Vec3 orthogonal = to_thumb - to_thumb.dot(z) * z;
+  if (!(orthogonal.norm() > 1e-3 * to_thumb.norm()) || !(to_fingers.norm() > 0)) {
     return Eigen::Matrix3d::Constant(kUnknown);
   }
-  const Vec3 y = square.normalized();
+  const Vec3 y = orthogonal.normalized();
   Eigen::Matrix3d axes;
   axes << y.cross(z), y, z;
   return axes;
-}
-
-Eigen::Matrix3d hand_axes(const HandKeypoints& points) {
-  return hand_axes(points[keypoint_index(kMiddle, 0)] - points[0],
-                   points[keypoint_index(kIndex, 0)] - points[keypoint_index(kLittle, 0)]);
 }
 
 double HandShape::length() const {
@@ -77,20 +68,21 @@ double HandShape::length() const {
 
 std::optional<HandShape> estimate_hand_shape(const std::vector<HandKeypoints>& frames) {
   std::vector<Eigen::Matrix3d> axes;
-  for (const HandKeypoints& points : frames) axes.push_back(hand_axes(points));
+  for (const HandKeypoints& points : frames) {
+    const auto knuckle = [&](std::size_t finger) { return points[keypoint_index(finger, 0)]; };
+    axes.push_back(hand_axes(knuckle(kMiddle) - points[0], knuckle(kIndex) - knuckle(kLittle)));
+  }
   HandShape shape;
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    shape.base[finger] = median_place(frames, axes, keypoint_index(finger, 0));
-    for (std::size_t bone = 0; bone < 3; ++bone) {
-      shape.bone_lengths[finger][bone] = median_over(frames, [&](std::size_t i) {
-        return (frames[i][keypoint_index(finger, bone + 1)] -
-                frames[i][keypoint_index(finger, bone)])
-            .norm();
-      });
+    shape.base[finger] = median_in_hand(frames, axes, keypoint_index(finger, 0));
+    for (int bone = 0; bone < 3; ++bone) {
+      const std::size_t from = keypoint_index(finger, bone);
+      shape.bone_lengths[finger][bone] = median_over(
+          frames, [&](int i) { return (frames[i][from + 1] - frames[i][from]).norm(); });
     }
   }
   if (!is_known(shape.base[kThumb])) {
-    estimate_thumb_base(median_place(frames, axes, keypoint_index(kThumb, 1)), shape);
+    estimate_thumb_base(median_in_hand(frames, axes, keypoint_index(kThumb, 1)), shape);
   }
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     if (!is_known(shape.base[finger])) return std::nullopt;
@@ -105,17 +97,17 @@ HandKeypoints enforce_finger_lengths(const HandShape& shape, const HandKeypoints
   HandKeypoints kept;
   kept[0].setZero();
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    Vec3 here = shape.base[finger];
-    kept[keypoint_index(finger, 0)] = here;
-    std::size_t first = 0;
+    Vec3 joint = shape.base[finger];
+    kept[keypoint_index(finger, 0)] = joint;
+    int first = 0;
     if (finger == kThumb && shape.thumb_base_estimated) {
-      kept[keypoint_index(finger, 1)] = here = in_hand[keypoint_index(finger, 1)];
+      kept[keypoint_index(finger, 1)] = joint = in_hand[keypoint_index(finger, 1)];
       first = 1;
     }
-    for (std::size_t bone = first; bone < 3; ++bone) {
+    for (int bone = first; bone < 3; ++bone) {
       const std::size_t next = keypoint_index(finger, bone + 1);
-      here += shape.bone_lengths[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
-      kept[next] = here;
+      joint += shape.bone_lengths[finger][bone] * (in_hand[next] - in_hand[next - 1]).normalized();
+      kept[next] = joint;
     }
   }
   return kept;
@@ -124,23 +116,16 @@ HandKeypoints enforce_finger_lengths(const HandShape& shape, const HandKeypoints
 RobotModel make_hand_model(const HandShape& shape) {
   RobotModel hand = human::human_hand({1, 1});
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    // The lengths are set from the tip upwards: each distance between joints is a bone, the last
-    // one that from the wrist.
+    // From the tip to the wrist, each distance between joints is a bone; the last ends at the base.
+    const auto& bones = shape.bone_lengths[finger];
     RobotModel::Tip& tip = hand.tips[finger];
-    tip.transform.translation() =
-        shape.bone_lengths[finger][2] * tip.transform.translation().normalized();
-    std::size_t bone = 2;
-    for (int frame = tip.frame; frame >= 0;) {
-      RobotModel::Frame& here = hand.frames[frame];
-      Eigen::Vector3d step = here.transform.translation();
-      if (step.norm() > 0) {
-        here.transform.translation() =
-            bone > 0 ? Vec3(shape.bone_lengths[finger][bone - 1] * step.normalized())
-                     : shape.base[finger];
-        if (bone == 0) break;
-        --bone;
-      }
-      frame = here.parent;
+    tip.transform.translation() = bones[2] * tip.transform.translation().normalized();
+    int bone = 2;
+    for (int frame = tip.frame; frame >= 0 && bone >= 0; frame = hand.frames[frame].parent) {
+      auto step = hand.frames[frame].transform.translation();
+      if (!(step.norm() > 0)) continue;
+      --bone;
+      step = bone >= 0 ? Vec3(bones[bone] * step.normalized()) : shape.base[finger];
     }
   }
   return hand;

@@ -9,7 +9,7 @@
 
 namespace morphe::reconstruct {
 
-/// Number of hand keypoints: the wrist, then four points per finger from its base to its tip, thumb
+/// Number of hand keypoints: the wrist, then four points per finger from base to tip, the thumb's
 /// first (thumb: CMC, MCP, IP, tip; fingers: MCP, PIP, DIP, tip).
 inline constexpr std::size_t kHandKeypoints = 1 + 4 * kFingerCount;
 using HandKeypoints = std::array<Vec3, kHandKeypoints>;
@@ -18,42 +18,35 @@ inline constexpr std::size_t keypoint_index(std::size_t finger, std::size_t join
   return 1 + 4 * finger + joint;
 }
 
-/// Returns the axes of the hand frame of HumanMotion from its geometry (a right hand): z along
-/// `to_fingers`, y the component of `to_thumb` orthogonal to z, x = y × z. NaN if they are parallel
-/// or one is not seen.
+/// Returns the axes of HumanMotion's hand frame (a right hand): z along `to_fingers`, y the
+/// component of `to_thumb` orthogonal to z, x = y × z. NaN if they are parallel or one is not seen.
 Eigen::Matrix3d hand_axes(const Vec3& to_fingers, const Vec3& to_thumb);
 
-/// Returns the axes of a hand from its keypoints: z from the wrist to the middle knuckle, y from
-/// the little finger's knuckle to the index's.
-Eigen::Matrix3d hand_axes(const HandKeypoints& points);
-
-/// The shape of a person's hand: the bases of its digits in the hand frame and the lengths of their
-/// bones [m].
+/// The shape of a person's hand [m].
 struct HandShape {
-  std::array<Vec3, kFingerCount> base;  ///< CMC of the thumb, knuckles of the fingers
+  std::array<Vec3, kFingerCount> base;  ///< CMC of the thumb, knuckles of the fingers, in the hand
   std::array<std::array<double, 3>, kFingerCount> bone_lengths;  ///< from the base to the tip
-  /// True if the tracker has no such point: estimate_thumb_base.
-  bool thumb_base_estimated = false;
-  double length() const;  ///< length from wrist to stretched middle fingertip
+  bool thumb_base_estimated = false;  ///< true if the tracker has no such point
+  double length() const;              ///< from wrist to stretched middle fingertip
 };
 
 /// Estimates a hand's shape by medians over the frames in which the points are seen. The thumb's
 /// base, which some trackers do not provide, is estimated from the other points if it is never
-/// seen. Returns no shape if another point is never seen.
+/// seen. Returns nullopt if another point is never seen.
 std::optional<HandShape> estimate_hand_shape(const std::vector<HandKeypoints>& frames);
 
-/// Returns the keypoints of a hand with these bone lengths and the recorded directions, in the hand
-/// frame (fit_palm): from the base on, each bone has its length and the direction between its
-/// points. (The hand nearest to the points would have folded fingers if the points are too close
-/// together.) Unseen points, and those beyond them, stay unseen. If the thumb's base is an
-/// estimate, its MCP is kept as recorded, and the bones start there.
+/// Returns the keypoints of a hand with these bone lengths; `in_hand` and result are in the hand
+/// frame (fit_palm). From the base on, each bone has the recorded direction between its points.
+/// (The hand nearest to points that are too close together would fold its fingers.) Unseen points,
+/// and those beyond them, stay unseen. If the thumb's base is an estimate, its bones start at the
+/// recorded MCP.
 HandKeypoints enforce_finger_lengths(const HandShape& shape, const HandKeypoints& in_hand);
 
-/// Returns human_hand() with these bases and bones.
+/// Returns human_hand() with the bases and bone lengths of a shape.
 RobotModel make_hand_model(const HandShape& shape);
 
-/// Returns the rotation R of the hand about its wrist that minimises sum |R base_k - (p_k -
-/// wrist)|^2 over the four knuckles; NaN if one is not seen.
+/// Returns the rotation R of the hand about its wrist that minimises, over the four knuckles,
+/// sum |R base_k - (p_k - wrist)|²; NaN if one is not seen.
 Eigen::Matrix3d fit_palm(const HandShape& shape, const HandKeypoints& points);
 
 }  // namespace morphe::reconstruct

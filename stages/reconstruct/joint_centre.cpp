@@ -7,20 +7,20 @@
 
 #include "stages/reconstruct/centre_of_rotation.hpp"
 #include "stages/reconstruct/gaps.hpp"
+#include "stages/reconstruct/residual_sum.hpp"
 
 namespace morphe::reconstruct {
 namespace {
 
 // Standard deviations of a joint's centre from its initial estimate.
-constexpr double kLandmarkPriorSd_m = 0.03, kClusterPriorSd_m = 0.15;  // [m]
+constexpr double kLandmarkPriorSd_m = 0.03, kClusterPriorSd_m = 0.15;
 
 std::vector<Vec3> transform_point(const std::vector<Pose>& world_from_body, const Vec3& point) {
-  std::vector<Vec3> carried;
-  for (const Pose& pose : world_from_body) carried.push_back(pose * point);
-  return carried;
+  std::vector<Vec3> positions;
+  for (const Pose& pose : world_from_body) positions.push_back(pose * point);
+  return positions;
 }
 
-/// Returns the mean of the seen points; unseen if there is no such point.
 Vec3 mean_point(const std::vector<Vec3>& points) {
   Vec3 sum = Vec3::Zero();
   int count = 0;
@@ -32,42 +32,42 @@ Vec3 mean_point(const std::vector<Vec3>& points) {
   return count > 0 ? Vec3(sum / count) : unknown_point();
 }
 
-/// Returns the mean of two bodies' positions of one point. While one of them is hidden, the other
-/// is used with the interpolated difference, since switching would cause a step.
+/// Returns the mean of the positions that two bodies give of one point. While one body is hidden,
+/// the other's position is moved by half of the interpolated difference, which avoids a step.
 std::vector<Vec3> blend_tracks(const std::string& name, const std::vector<Vec3>& a,
                                const std::vector<Vec3>& b, std::vector<Residual>& residuals) {
   if (never_seen(a)) return b;
   if (never_seen(b)) return a;
-  std::vector<Vec3> apart, mean;
-  std::vector<double> distance;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    apart.push_back(a[i] - b[i]);
-    distance.push_back(apart.back().norm());
+  std::vector<Vec3> difference, mean;
+  ResidualSum distances;
+  for (int i = 0; i < std::ssize(a); ++i) {
+    difference.push_back(a[i] - b[i]);
+    distances.add(difference.back().norm());
   }
-  residuals.push_back(residual_of(name, distance));
-  interpolate_unseen(apart);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Vec3 half = is_known(apart[i]) ? Vec3(apart[i] / 2) : Vec3::Zero();
+  residuals.push_back(distances.residual(name));
+  interpolate_unseen(difference);
+  for (int i = 0; i < std::ssize(a); ++i) {
+    const Vec3 half = is_known(difference[i]) ? Vec3(difference[i] / 2) : Vec3::Zero();
     mean.push_back(is_known(a[i]) ? Vec3(a[i] - half) : Vec3(b[i] + half));
   }
   return mean;
 }
 
-/// The position of a joint in one body's frame: the mean of its landmarks, or the centre of the
-/// body.
+/// The position of a joint in a body's frame: the mean of its known landmarks, else the body's
+/// centre.
 struct BodyPoint {
-  Vec3 place;
-  std::size_t known = 0;  ///< number of landmarks
+  Vec3 in_body;
+  std::ptrdiff_t landmark_count = 0;
 };
 
 BodyPoint find_body_point(MarkerTrial& trial, const std::vector<Landmark>& landmarks,
                           const MarkerBody& body, HumanMotion& motion) {
-  std::vector<Vec3> places;
+  std::vector<Vec3> known;
   for (const Landmark& landmark : landmarks) {
-    const Vec3 place = landmark_in_body(trial, landmark, body, motion);
-    if (is_known(place)) places.push_back(place);
+    const Vec3 in_body = landmark_in_body(trial, landmark, body, motion);
+    if (is_known(in_body)) known.push_back(in_body);
   }
-  return {places.empty() ? mean_point(body.shape) : mean_point(places), places.size()};
+  return {mean_point(known.empty() ? body.shape : known), std::ssize(known)};
 }
 
 }  // namespace
@@ -75,66 +75,64 @@ BodyPoint find_body_point(MarkerTrial& trial, const std::vector<Landmark>& landm
 std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
                                const MarkerBody& first, const MarkerBody& second,
                                HumanMotion& motion) {
-  const std::size_t frames = trial.clock.count;
+  const std::vector<Vec3> unseen(trial.clock.count, unknown_point());
   std::vector<Landmark> landmarks;
   for (const std::string& name : joint.landmarks) {
     landmarks.push_back(make_landmark(trial, name, first, motion));
   }
   if (std::ranges::all_of(landmarks, [](const Landmark& l) { return !l.track.empty(); })) {
-    std::vector<Vec3> middle(frames, Vec3::Zero());
+    std::vector<Vec3> mean(trial.clock.count, Vec3::Zero());
     for (const Landmark& landmark : landmarks) {
-      for (std::size_t i = 0; i < frames; ++i) {
-        middle[i] += landmark.track[i] / static_cast<double>(landmarks.size());
+      for (int i = 0; i < trial.clock.count; ++i) {
+        mean[i] += landmark.track[i] / static_cast<double>(landmarks.size());
       }
     }
-    return middle;
+    return mean;
   }
-  if (!first.exists() && !second.exists()) return std::vector<Vec3>(frames, unknown_point());
+  if (!first.exists() && !second.exists()) return unseen;
 
   BodyPoint a = find_body_point(trial, landmarks, first, motion),
             b = find_body_point(trial, landmarks, second, motion);
-  const bool known = std::max(a.known, b.known) == landmarks.size();
-  const std::string pair = fmt::format("{} against {}", first.name, second.name);
+  const bool known = std::max(a.landmark_count, b.landmark_count) == std::ssize(landmarks);
   const bool both = first.exists() && second.exists();
   if (!both && known) {
-    return first.exists() ? transform_point(first.world_from_body, a.place)
-                          : transform_point(second.world_from_body, b.place);
+    return first.exists() ? transform_point(first.world_from_body, a.in_body)
+                          : transform_point(second.world_from_body, b.in_body);
   }
   const bool in_world = first.exists() && !second.exists() && joint.name == "shoulder";
   if (!both && !in_world) {
     motion.reconstruction_notes.push_back(fmt::format(
         "{}: {} were not seen, and {} has no neighbour that it rotates about: not reconstructed",
         joint.name, fmt::join(joint.landmarks, ", "), first.exists() ? first.name : second.name));
-    return std::vector<Vec3>(frames, unknown_point());
+    return unseen;
   }
   std::vector<Pose> other = second.world_from_body;
   if (in_world) {
-    other.assign(frames, Pose::Identity());
-    b.place = mean_point(transform_point(first.world_from_body, a.place));
+    other.assign(trial.clock.count, Pose::Identity());
+    b.in_body = mean_point(transform_point(first.world_from_body, a.in_body));
   }
+  const std::string other_name = in_world ? "the world" : second.name;
   if (joint.refine_by_motion || !known) {
-    const bool near = std::max(a.known, b.known) > 0;
+    const bool any_landmark = std::max(a.landmark_count, b.landmark_count) > 0;
     const CentreOfRotation pivot = estimate_centre_of_rotation(
         first.world_from_body, other,
-        {a.place, b.place, near ? kLandmarkPriorSd_m : kClusterPriorSd_m});
-    if (!is_known(pivot.in_a) || !is_known(pivot.in_b))
-      return std::vector<Vec3>(frames, unknown_point());
-    a.place = pivot.in_a;
-    b.place = pivot.in_b;
+        {a.in_body, b.in_body, any_landmark ? kLandmarkPriorSd_m : kClusterPriorSd_m});
+    if (!is_known(pivot.in_a) || !is_known(pivot.in_b)) return unseen;
+    a.in_body = pivot.in_a;
+    b.in_body = pivot.in_b;
     if (!known) {
       motion.estimated.push_back(joint.name);
       motion.reconstruction_notes.push_back(fmt::format(
           "{}: estimated as the centre of rotation of {} and {} ({:.1f} mm RMS; uncertain by "
           "{:.0f} mm along the least certain direction), because not all of {} were seen; a static "
           "trial would show them",
-          joint.name, first.name, in_world ? "the world" : second.name, 1000 * pivot.residual_m,
-          1000 * pivot.uncertainty_m, fmt::join(joint.landmarks, ", ")));
+          joint.name, first.name, other_name, 1000 * pivot.residual_m, 1000 * pivot.uncertainty_m,
+          fmt::join(joint.landmarks, ", ")));
     }
   }
-  return blend_tracks(
-      fmt::format("{}, {}", joint.name, in_world ? first.name + " against the world" : pair),
-      transform_point(first.world_from_body, a.place), transform_point(other, b.place),
-      motion.residuals);
+  return blend_tracks(fmt::format("{}, {} against {}", joint.name, first.name, other_name),
+                      transform_point(first.world_from_body, a.in_body),
+                      transform_point(other, b.in_body), motion.residuals);
 }
 
 }  // namespace morphe::reconstruct

@@ -11,23 +11,23 @@ namespace morphe::reconstruct {
 struct MarkerJoint {
   std::string name;                    ///< shoulder, elbow, wrist
   std::vector<std::string> landmarks;  ///< all on the first body
-  /// True if the motion about the joint is large enough, and skin movement small enough, to correct
-  /// a known landmark by the centre of rotation of the two bodies. This holds for elbow and wrist:
-  /// their positions from two clusters differ by 16-33 mm in the ue-adl trials, their centres of
-  /// rotation agree to 2-6 mm, and those of one trial to 5-13 mm in others of the same subject. It
-  /// does not hold for the shoulder, whose centres of rotation are 20-45 mm from the landmark and
-  /// as far from one another.
+  /// True if known landmarks are corrected by the centre of rotation of the two bodies, which takes
+  /// much motion about the joint and little skin movement. In the ue-adl trials the positions of
+  /// elbow and wrist from two clusters differ by 16-33 mm, their centres of rotation agree to
+  /// 2-6 mm, and those of one trial to 5-13 mm in others of the same subject; centres of rotation
+  /// of the shoulder are 20-45 mm from the landmark and as far from one another.
   bool refine_by_motion = true;
 };
 
-/// Computes the joint's centre on the clock from the best available data:
-/// - the mean of the landmarks, if the recording shows them;
-/// - landmarks of the static trial, carried by both bodies (corrected by their centre of
-///   rotation);
-/// - otherwise the centre of rotation of both bodies, or for a shoulder without a second body
-///   of the first body and the world: it is listed in `motion.estimated`, and its accuracy in
+/// Returns the joint's centre on the clock, from the first of these that is available:
+/// - the mean of the landmarks, if the recording shows all of them;
+/// - landmarks known in a body's frame (from the static trial), carried by the bodies and, if
+///   `refine_by_motion`, corrected by their centre of rotation;
+/// - the centre of rotation of both bodies, or, for a shoulder without a second body, of the first
+///   body and the world. It is named in `motion.estimated`, its accuracy in
 ///   `motion.reconstruction_notes`.
-/// The disagreement between the two bodies is added to `motion.residuals`.
+/// Otherwise the centre is unseen, which is noted. The distance between the positions that the two
+/// bodies give is added to `motion.residuals`.
 std::vector<Vec3> joint_centre(MarkerTrial& trial, const MarkerJoint& joint,
                                const MarkerBody& first, const MarkerBody& second,
                                HumanMotion& motion);

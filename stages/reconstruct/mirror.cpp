@@ -1,5 +1,7 @@
 #include "stages/reconstruct/mirror.hpp"
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 namespace morphe::reconstruct {
@@ -22,13 +24,10 @@ bool has_side_prefix(const std::string& name) {
   static constexpr const char* kParts[] = {"SHO", "UAR", "LAR", "HAN", "FTP", "THUM",
                                            "FB",  "GTH", "LEP", "MEP", "SPR", "SPU"};
   if (name.empty() || (name[0] != 'L' && name[0] != 'R')) return false;
-  for (const char* part : kParts) {
-    if (name.compare(1, std::string(part).size(), part) == 0) return true;
-  }
-  return false;
+  return std::ranges::any_of(
+      kParts, [&](const char* part) { return std::string_view(name).substr(1).starts_with(part); });
 }
 
-/// Swaps the side at the beginning of the name of a skeleton's joint.
 void swap_side(std::string& name) {
   if (name.starts_with("left_")) {
     name.replace(0, 4, "right");
@@ -57,8 +56,8 @@ void mirror(Streams& streams) {
 }
 
 void remove_unseen_samples(SceneObject& object) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < object.time.size(); ++i) {
+  int kept = 0;
+  for (int i = 0; i < std::ssize(object.time); ++i) {
     if (!is_known(object.position[i]) || !is_known(object.orientation[i])) continue;
     object.time[kept] = object.time[i];
     object.position[kept] = object.position[i];
@@ -97,8 +96,7 @@ Demonstration mirror_image(const Demonstration& demonstration) {
 HumanMotion mirror_image(HumanMotion motion) {
   // M R M has the axes -x, y, z of the mirrored hand; half a turn about z makes them x, -y, z.
   const Quat half_turn(0, 0, 0, 1);
-  for (std::vector<Vec3>* points : {&motion.shoulder, &motion.elbow, &motion.wrist})
-    mirror_all(*points);
+  for (auto* points : {&motion.shoulder, &motion.elbow, &motion.wrist}) mirror_all(*points);
   mirror_all(motion.tip.values);
   mirror_all(motion.finger_joint.values);
   for (std::vector<Quat>* turns : {&motion.wrist_orientation, &motion.tip_orientation.values}) {

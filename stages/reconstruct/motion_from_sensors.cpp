@@ -7,7 +7,6 @@
 #include "stages/reconstruct/estimated_arm.hpp"
 #include "stages/reconstruct/glove_hand.hpp"
 #include "stages/reconstruct/hand_from_keypoints.hpp"
-#include "stages/reconstruct/sensor_joints.hpp"
 #include "stages/reconstruct/streams.hpp"
 
 namespace morphe::reconstruct {
@@ -15,11 +14,52 @@ namespace {
 
 constexpr std::size_t kWristPitch = 20, kWristYaw = 21;  ///< glove sensors
 
-/// Returns flexion and radial deviation of the wrist from the forearm's direction in the hand's
-/// frame, (-sin f, -sin d cos f, cos d cos f) as in core/human/arm_angles.
+struct BodyTrack {
+  std::vector<Vec3> position;
+  std::vector<Quat> orientation;
+};
+
+std::optional<std::ptrdiff_t> index_of(const std::vector<std::string>& names,
+                                       const std::string& name) {
+  const std::ptrdiff_t index = std::ranges::find(names, name) - names.begin();
+  return index < std::ssize(names) ? std::optional(index) : std::nullopt;
+}
+
+/// Returns the joint centre of a sensor and the axes of its segment, as recorded (not filtered):
+///   joint = sensor position + sensor orientation * joint_in_sensor
+///   axes  = sensor orientation * sensor_from_segment
+/// A sensor without offsets is assumed to be at the joint itself, with the axes of the segment,
+/// which is reported in `notes` if others have offsets. Returns nullopt if no body has that name.
+std::optional<BodyTrack> joint_of_sensor(const Demonstration& demonstration,
+                                         const std::string& name, std::vector<std::string>& notes) {
+  const BodyStream& sensors = *demonstration.streams.sensors;
+  const auto body = index_of(sensors.names, name);
+  if (!body) return std::nullopt;
+  BodyTrack track;
+  for (int i = 0; i < std::ssize(sensors.time); ++i) {
+    track.position.push_back(sensors.position(i, *body));
+    track.orientation.push_back(sensors.orientation(i, *body));
+  }
+  if (!demonstration.sensor_offsets) return track;
+  const SensorOffsets& offsets = *demonstration.sensor_offsets;
+  const auto offset = index_of(offsets.sensors, name);
+  if (!offset) {
+    notes.push_back("the sensor " + name + " was not calibrated: it is assumed to be at the joint");
+    return track;
+  }
+  for (int i = 0; i < std::ssize(sensors.time); ++i) {
+    const Quat world_from_sensor = track.orientation[i];
+    track.position[i] += world_from_sensor * offsets.joint_in_sensor[*offset];
+    track.orientation[i] = world_from_sensor * offsets.sensor_from_segment[*offset];
+  }
+  return track;
+}
+
+/// Returns flexion f and radial deviation d of the wrist: the forearm's direction in the hand's
+/// frame is (-sin f, -sin d cos f, cos d cos f), as in core/human/arm_angles.
 std::array<std::vector<double>, 2> wrist_angles(const HumanMotion& motion) {
   std::array<std::vector<double>, 2> angles;
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     const Vec3 forearm =
         motion.wrist_orientation[i].conjugate() * (motion.wrist[i] - motion.elbow[i]).normalized();
     angles[0].push_back(std::asin(std::clamp(-forearm.x(), -1.0, 1.0)));
@@ -28,21 +68,21 @@ std::array<std::vector<double>, 2> wrist_angles(const HumanMotion& motion) {
   return angles;
 }
 
-/// Returns the time by which the glove's clock is ahead of the arm's, from the wrist motion
-/// measured by both; 0 if that is not reliable. Signals are filtered below 3 Hz: at higher
-/// frequencies a wrist moves less than the glove's noise.
+/// Returns the time by which the glove's clock is ahead of the arm's, from the wrist motion that
+/// both measure; 0 if it is not reliable or not significant. Signals are low-passed at 3 Hz, above
+/// which a wrist moves less than the glove's noise.
 double glove_clock_offset(const GloveColumns& glove, const TimeGrid& clock,
                           ReconstructOptions options, HumanMotion& motion) {
   options.cutoff_hz = std::min(options.cutoff_hz, 3.0);
-  const auto slowed = [&](const std::vector<double>& values) {
+  const auto low_passed = [&](const std::vector<double>& values) {
     return resample(motion.time, values, clock, options);
   };
   const auto [flexion, deviation] = wrist_angles(motion);
-  const ClockOffset offset = clock_offset({{slowed(flexion), slowed(glove[kWristPitch])},
-                                           {slowed(deviation), slowed(glove[kWristYaw])}},
+  const ClockOffset offset = clock_offset({{low_passed(flexion), low_passed(glove[kWristPitch])},
+                                           {low_passed(deviation), low_passed(glove[kWristYaw])}},
                                           clock.rate_hz, options.cutoff_hz);
   if (!is_reliable(offset)) {
-    constexpr double kMinWristRate_rad_s = 0.3, kLowCorrelation = 0.5;  // [rad/s]; a correlation
+    constexpr double kMinWristRate_rad_s = 0.3, kLowCorrelation = 0.5;
     if (offset.rate_rms > kMinWristRate_rad_s && offset.correlation < kLowCorrelation) {
       motion.reconstruction_notes.push_back(
           fmt::format("the wrist movements of glove and arm do not match (correlation {:.2f}): "
@@ -58,35 +98,24 @@ double glove_clock_offset(const GloveColumns& glove, const TimeGrid& clock,
   return offset.offset_s;
 }
 
-/// Adds hand angles, and fingers if the wrist is tracked.
 void add_glove(const Demonstration& demonstration, const TimeGrid& clock,
                const ReconstructOptions& options, const HumanOptions& human, bool arm_tracked,
                HumanMotion& motion) {
   const HandStream& glove = *demonstration.streams.hand;
   const auto& flat_hand = demonstration.calibration.hand;
-  if (glove.time.empty() || glove.time.back() < clock.start_s ||
-      glove.time.front() > clock.at(clock.count)) {
-    motion.reconstruction_notes.push_back("the recordings of glove and arm do not overlap in time");
+  std::vector<std::string>& notes = motion.reconstruction_notes;
+  const double end_s = clock.at(clock.count);
+  if (glove.time.empty() || glove.time.back() < clock.start_s || glove.time.front() > end_s) {
+    notes.push_back("the recordings of glove and arm do not overlap in time");
     return;
   }
-  GloveColumns columns =
-      resample_glove(glove, flat_hand, 0, clock, options, motion.reconstruction_notes);
+  GloveColumns columns = resample_glove(glove, flat_hand, 0, clock, options, notes);
   if (options.align_clocks && arm_tracked) {
     const double late_s = glove_clock_offset(columns, clock, options, motion);
-    std::vector<std::string> said;
-    if (late_s != 0) columns = resample_glove(glove, flat_hand, late_s, clock, options, said);
+    std::vector<std::string> repeated;
+    if (late_s != 0) columns = resample_glove(glove, flat_hand, late_s, clock, options, repeated);
   }
   pose_fingers(columns, hand_size_of(demonstration, human, motion.estimated), motion);
-}
-
-void add_fingertips(const HandStream& hand, const TimeGrid& clock,
-                    const ReconstructOptions& options, HumanMotion& motion) {
-  std::vector<Vec3> recorded(hand.time.size());
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = hand.position(i, finger);
-    const auto tip = resample(hand.time, recorded, clock, options);
-    for (std::size_t i = 0; i < tip.size(); ++i) motion.tip(i, finger) = tip[i];
-  }
 }
 
 }  // namespace
@@ -124,7 +153,12 @@ HumanMotion motion_from_sensors(const Demonstration& demonstration,
   if (gloved) {
     add_glove(demonstration, clock, options, human, elbow && wrist, motion);
   } else if (hand && hand->kind == HandKind::fingertips) {
-    add_fingertips(*hand, clock, options, motion);
+    std::vector<Vec3> recorded(hand->time.size());
+    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+      for (int i = 0; i < std::ssize(recorded); ++i) recorded[i] = hand->position(i, finger);
+      const auto tip = resample(hand->time, recorded, clock, options);
+      for (int i = 0; i < std::ssize(tip); ++i) motion.tip(i, finger) = tip[i];
+    }
   } else if (hand && hand->kind == HandKind::keypoints) {
     add_hand_from_keypoints(*hand, demonstration.hand_length, clock, options, motion);
   } else {

@@ -20,21 +20,19 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Returns the length from wrist to middle fingertip, bone by bone; no value unless all joints were
-/// seen.
+/// Returns the length from wrist to middle fingertip, bone by bone, if all joints were seen.
 std::optional<double> hand_length_of(const SkeletonJoint& wrist, const Digits& digits) {
   double length = 0;
-  const SkeletonJoint* before = &wrist;
+  const SkeletonJoint* previous = &wrist;
   for (const SkeletonJoint& joint : digits[kMiddle]) {
     if (!joint.exists()) return std::nullopt;
-    length += mean_length(*before, joint);
-    before = &joint;
+    length += mean_length(*previous, joint);
+    previous = &joint;
   }
   return std::isfinite(length) ? std::optional(length) : std::nullopt;
 }
 
-/// Returns true if there are joints with names unknown to Morphe: one of them may be the missing
-/// one.
+/// Returns true if there are joints with names unknown to Morphe, which may be the missing ones.
 bool has_other_names(const BodyStream& body) {
   constexpr std::string_view kOurs[] = {"head", "trunk", "pelvis"};
   return std::ranges::any_of(body.names, [&](const std::string& name) {
@@ -46,27 +44,14 @@ bool has_other_names(const BodyStream& body) {
 void note_missing(const std::vector<std::pair<const char*, bool>>& joints,
                   std::vector<std::string>& problems) {
   std::vector<std::string> missing;
-  for (const auto& [name, there] : joints) {
-    if (!there) missing.push_back(fmt::format("right_{}", name));
+  for (const auto& [name, exists] : joints) {
+    if (!exists) missing.push_back(fmt::format("right_{}", name));
   }
   if (missing.empty()) return;
   problems.push_back(
       fmt::format("the skeleton has no joint named {} (left_… for a left arm); if it has other "
                   "names, map them with --names or `names:`",
                   fmt::join(missing, ", ")));
-}
-
-void add_fitted_hand(const std::vector<HandKeypoints>& fingers, double rate_hz,
-                     HumanMotion& motion) {
-  const auto fitted = fit_hand(fingers, std::nullopt, rate_hz);
-  if (!fitted) return;
-  add_hand_angles(*fitted, motion);
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      motion.tip_orientation(i, finger) =
-          motion.wrist_orientation[i] * fitted->tip_orientation(i, finger);
-    }
-  }
 }
 
 }  // namespace
@@ -80,14 +65,15 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   const SkeletonJoint shoulder = find_joint(body, "right_shoulder"),
                       elbow = find_joint(body, "right_elbow"),
                       wrist = find_joint(body, "right_wrist"), head = find_joint(body, "head");
-  const auto place = [&](const char* name, const SkeletonJoint& joint, std::vector<Vec3>& centres) {
+  const auto set = [&](const char* name, const SkeletonJoint& joint, std::vector<Vec3>& centres) {
     if (!joint.exists()) return;
     centres = resample(body.time, joint.position, clock, options);
     note_unseen(name, centres, motion.reconstruction_notes);
   };
-  place("shoulder", shoulder, motion.shoulder);
-  place("elbow", elbow, motion.elbow);
-  place("wrist", wrist, motion.wrist);
+  set("shoulder", shoulder, motion.shoulder);
+  set("elbow", elbow, motion.elbow);
+  set("wrist", wrist, motion.wrist);
+  // A seen elbow constrains the shoulder, which is then not estimated.
   const bool estimable = (shoulder.exists() || !elbow.exists()) && wrist.exists();
   if (!estimable || has_other_names(body)) {
     note_missing(
@@ -104,7 +90,6 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   motion.wrist_orientation = hand_orientation(body.time, find_joint(body, "right_hand"), wrist,
                                               digits, clock, options, motion);
   add_arm_angles(motion);
-  // An elbow that was seen constrains the shoulder, which is then not estimated.
   if (estimable) {
     estimate_arm(
         arm_lengths_of(demonstration, human, hand_length_of(wrist, digits)), human,
@@ -114,16 +99,14 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   estimate_tips(digits, motion);
   const std::vector<HandKeypoints> fingers =
       resample_fingers(body.time, wrist, digits, clock, options, motion);
-  for (std::size_t i = 0; i < clock.count; ++i) {
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      motion.tip(i, finger) = fingers[i][keypoint_index(finger, 3)];
-      motion.finger_joint(i, finger) = fingers[i][keypoint_index(finger, 1)];
-    }
-  }
+  set_finger_points(fingers, motion);
   if (std::ranges::none_of(digits, [](const auto& digit) { return digit[3].exists(); })) {
     motion.reconstruction_notes.push_back("the skeleton has no fingertips");
   }
-  add_fitted_hand(fingers, clock.rate_hz, motion);
+  if (const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz)) {
+    add_hand_angles(*fitted, motion);
+    set_tip_orientations(*fitted, motion);
+  }
   return motion;
 }
 

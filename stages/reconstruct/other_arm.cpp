@@ -7,10 +7,9 @@
 namespace morphe::reconstruct {
 namespace {
 
-/// Returns the streams that may show both sides.
 Streams bilateral_streams(const Streams& streams) {
   Streams both;
-  // If there are tracked joints, markers belong to objects.
+  // Markers beside tracked joints belong to objects.
   if (!streams.sensors && !streams.skeleton) both.markers = streams.markers;
   both.skeleton = streams.skeleton;
   return both;
@@ -20,14 +19,14 @@ Streams bilateral_streams(const Streams& streams) {
 
 HumanMotion reconstruct_other_arm(const Demonstration& demonstration,
                                   const ReconstructOptions& options, const HumanOptions& human,
-                                  Side beside) {
+                                  Side side) {
   Demonstration other = demonstration;
   other.hand = demonstration.hand == Side::right ? Side::left : Side::right;
   other.streams = bilateral_streams(demonstration.streams);
   other.calibration = bilateral_streams(demonstration.calibration);
   other.sensor_offsets.reset();
   HumanMotion motion = reconstruct(other, options, human);  // reconstructed as a right arm
-  return beside == Side::right ? mirror_image(std::move(motion)) : motion;
+  return side == Side::right ? mirror_image(std::move(motion)) : motion;
 }
 
 }  // namespace morphe::reconstruct

@@ -4,13 +4,12 @@
 
 namespace morphe::reconstruct {
 
-/// Reconstructs the arm that is not the demonstrated one from streams that show both sides: a
-/// skeleton's joints or the body's markers. Tracked sensors, gloves, keypoints and joint angles
-/// belong to the demonstrated hand alone. The result is in the world of a motion of the side
-/// `beside`, as given by reconstruct() (right) or its mirror_image() (left): a left arm beside a
-/// right one. It may have no frames.
+/// Reconstructs the arm that is not the demonstrated one from a skeleton's joints or the body's
+/// markers; without these the motion has no frames. The result is in the same world as the
+/// demonstrated arm's motion: that of reconstruct() if `side` is right, of its mirror_image() if
+/// left.
 HumanMotion reconstruct_other_arm(const Demonstration& demonstration,
                                   const ReconstructOptions& options, const HumanOptions& human,
-                                  Side beside);
+                                  Side side);
 
 }  // namespace morphe::reconstruct

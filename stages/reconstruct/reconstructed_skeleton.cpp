@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/motion/arm_estimate.hpp"
 #include "stages/reconstruct/arm_kinematics.hpp"
@@ -15,34 +14,32 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kSameInstant_s = 1e-9;
+constexpr double kRounding_s = 1e-9;
 
 /// The position of an instant of the clock between two rows of a recording.
 struct InterpolatedRow {
-  std::size_t row = 0;
+  int row = 0;
   double share = 0;  ///< share of the interval to the next row
 };
 
 std::vector<InterpolatedRow> interpolation_rows(const std::vector<double>& time,
                                                 const TimeGrid& clock) {
   std::vector<InterpolatedRow> rows;
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < clock.count; ++i) {
-    const double now = clock.at(i);
-    while (row + 1 < time.size() && time[row + 1] <= now + kSameInstant_s) ++row;
-    const bool last = row + 1 >= time.size();
-    const double since = now - time[row];
-    rows.push_back(
-        {row, last || since <= kSameInstant_s ? 0 : since / (time[row + 1] - time[row])});
+  int row = 0;
+  for (int i = 0; i < clock.count; ++i) {
+    const double time_s = clock.at(i);
+    while (row + 1 < std::ssize(time) && time[row + 1] <= time_s + kRounding_s) ++row;
+    const bool last = row + 1 >= std::ssize(time);
+    const double since = time_s - time[row];
+    rows.push_back({row, last || since <= kRounding_s ? 0 : since / (time[row + 1] - time[row])});
   }
   return rows;
 }
 
-/// Adds a note on estimated joints, which are marked by their confidence.
 void note_estimates(HumanMotion& motion) {
   if (motion.estimated.empty()) return;
-  const bool arm = std::ranges::any_of(motion.estimated, [](const std::string& what) {
-    return std::ranges::find(kArmPointNames, what) != kArmPointNames.end();
+  const bool arm = std::ranges::any_of(motion.estimated, [](const std::string& name) {
+    return std::ranges::find(kArmPointNames, name) != kArmPointNames.end();
   });
   motion.reconstruction_notes.push_back(fmt::format(
       "estimated during reconstruction, not recorded: {}{}", fmt::join(motion.estimated, ", "),
@@ -77,15 +74,15 @@ HumanMotion motion_from_reconstructed(const BodyStream& body, const ReconstructO
   const TimeGrid clock = make_time_grid({&body.time}, options.rate_hz);
   HumanMotion motion = unseen_motion(clock);
   const std::vector<InterpolatedRow> rows = interpolation_rows(body.time, clock);
-  const auto place = [&](const char* name, const char* called, std::vector<Vec3>& centres) {
-    const SkeletonJoint joint = find_joint(body, name);
+  const auto set_centre = [&](const std::string& name, std::vector<Vec3>& centres) {
+    const SkeletonJoint joint = find_joint(body, "right_" + name);
     if (!joint.exists()) return;
     centres = interpolate_rows(rows, joint.position);
-    if (joint.estimated) motion.estimated.emplace_back(called);
+    if (joint.estimated) motion.estimated.push_back(name);
   };
-  place("right_shoulder", "shoulder", motion.shoulder);
-  place("right_elbow", "elbow", motion.elbow);
-  place("right_wrist", "wrist", motion.wrist);
+  set_centre("shoulder", motion.shoulder);
+  set_centre("elbow", motion.elbow);
+  set_centre("wrist", motion.wrist);
   const bool arm_measured = motion.estimated.empty();
   if (const SkeletonJoint hand = find_joint(body, "right_hand"); hand.exists()) {
     motion.wrist_orientation = interpolate_rows(rows, hand.orientation);
@@ -96,38 +93,29 @@ HumanMotion motion_from_reconstructed(const BodyStream& body, const ReconstructO
   const Digits digits = find_digits(body);
   std::vector<HandKeypoints> fingers(clock.count);
   for (HandKeypoints& points : fingers) points.fill(unknown_point());
-  for (std::size_t i = 0; i < clock.count; ++i) fingers[i][0] = motion.wrist[i];
+  for (int i = 0; i < clock.count; ++i) fingers[i][0] = motion.wrist[i];
   bool tips_estimated = false, tips_turned = false;
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    for (std::size_t j = 0; j < 4; ++j) {
-      if (!digits[finger][j].exists()) continue;
-      const std::vector<Vec3> here = interpolate_rows(rows, digits[finger][j].position);
-      for (std::size_t i = 0; i < clock.count; ++i) fingers[i][keypoint_index(finger, j)] = here[i];
+    for (int k = 0; k < 4; ++k) {
+      if (!digits[finger][k].exists()) continue;
+      const std::vector<Vec3> joint = interpolate_rows(rows, digits[finger][k].position);
+      for (int i = 0; i < clock.count; ++i) fingers[i][keypoint_index(finger, k)] = joint[i];
     }
     const SkeletonJoint& tip = digits[finger][3];
     tips_estimated = tips_estimated || tip.estimated;
     tips_turned = tips_turned || has_orientation(tip);
-    const std::vector<Quat> turned = tip.exists()
-                                         ? interpolate_rows(rows, tip.orientation)
-                                         : std::vector<Quat>(clock.count, unknown_rotation());
-    for (std::size_t i = 0; i < clock.count; ++i) {
-      motion.tip(i, finger) = fingers[i][keypoint_index(finger, 3)];
-      motion.finger_joint(i, finger) = fingers[i][keypoint_index(finger, 1)];
-      motion.tip_orientation(i, finger) = turned[i];
-    }
+    if (!tip.exists()) continue;
+    const std::vector<Quat> orientation = interpolate_rows(rows, tip.orientation);
+    for (int i = 0; i < clock.count; ++i) motion.tip_orientation(i, finger) = orientation[i];
   }
+  set_finger_points(fingers, motion);
   if (tips_estimated) motion.estimated.emplace_back("fingertips");
   note_estimates(motion);
   const auto fitted = fit_hand(fingers, std::nullopt, clock.rate_hz);
   if (!fitted) return motion;
   add_hand_angles(*fitted, motion);
   motion.bones = fitted->bones;
-  for (std::size_t i = 0; !tips_turned && i < clock.count; ++i) {
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-      motion.tip_orientation(i, finger) =
-          motion.wrist_orientation[i] * fitted->tip_orientation(i, finger);
-    }
-  }
+  if (!tips_turned) set_tip_orientations(*fitted, motion);
   return motion;
 }
 

@@ -8,22 +8,22 @@
 
 namespace morphe::reconstruct {
 
-/// Computes the orientation of the hand on the clock: that of a joint `hand` with HumanMotion's
-/// axes, otherwise the wrist's corrected by the mean position of the knuckles, otherwise from the
-/// knuckles frame by frame. Unseen if the skeleton's hand does not have them; missing points are
-/// reported in `motion.reconstruction_notes`.
+/// Returns the orientation of the hand on the clock. It is that of `hand` if recorded; otherwise
+/// the wrist's, corrected by the mean position of the knuckles; otherwise that of the knuckles,
+/// frame by frame. It is unseen if the skeleton has too few knuckles, which is noted in `motion`.
 std::vector<Quat> hand_orientation(const std::vector<double>& time, const SkeletonJoint& hand,
                                    const SkeletonJoint& wrist, const Digits& digits,
                                    const TimeGrid& clock, const ReconstructOptions& options,
                                    HumanMotion& motion);
 
-/// Estimates tips that coincide with the joint before them: they are placed at the end of a last
-/// bone of average length along the bone before it at rest, turned as the last joint is.
+/// Estimates tips that coincide with the last joint. The last bone gets the length that an average
+/// hand has in proportion to the bone before it, and the mean direction of that bone in the axes of
+/// the middle joint, rotated by the orientation of the last joint.
 void estimate_tips(Digits& digits, HumanMotion& motion);
 
-/// Resamples the joints of the fingers on the clock: from the wrist on, each bone has its constant
-/// length and the recorded direction; a joint keeps its recorded position if the previous one is
-/// missing. Unseen if the skeleton has no such joint.
+/// Returns the joints of the fingers on the clock. From the wrist of `motion` on, each bone has its
+/// mean length and the recorded direction. A joint after a missing one stays as recorded; a missing
+/// one is unseen.
 std::vector<HandKeypoints> resample_fingers(const std::vector<double>& time,
                                             const SkeletonJoint& wrist, const Digits& digits,
                                             const TimeGrid& clock,

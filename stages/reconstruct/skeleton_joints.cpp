@@ -12,18 +12,12 @@ namespace {
 constexpr const char* kThumbJoints[] = {"cmc", "mcp", "ip", "tip"};
 constexpr const char* kFingerJoints[] = {"mcp", "pip", "dip", "tip"};
 
-std::string joint_name(std::size_t finger, std::size_t joint) {
-  return fmt::format("right_{}_{}", kFingerNames[finger],
-                     finger == 0 ? kThumbJoints[joint] : kFingerJoints[joint]);
-}
-
 }  // namespace
 
 SkeletonJoint find_joint(const BodyStream& body, const std::string& name) {
   SkeletonJoint joint;
-  const auto found = std::ranges::find(body.names, name);
-  if (found == body.names.end()) return joint;
-  const auto k = static_cast<std::size_t>(found - body.names.begin());
+  const std::ptrdiff_t k = std::ranges::find(body.names, name) - body.names.begin();
+  if (k == std::ssize(body.names)) return joint;
   joint.estimated = body.confidence.rows > 0;
   for (std::size_t i = 0; i < body.position.rows; ++i) {
     joint.position.push_back(body.position(i, k));
@@ -40,8 +34,9 @@ bool has_orientation(const SkeletonJoint& joint) {
 Digits find_digits(const BodyStream& body) {
   Digits digits;
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    for (std::size_t joint = 0; joint < 4; ++joint) {
-      digits[finger][joint] = find_joint(body, joint_name(finger, joint));
+    for (int k = 0; k < 4; ++k) {
+      const char* joint = (finger == kThumb ? kThumbJoints : kFingerJoints)[k];
+      digits[finger][k] = find_joint(body, fmt::format("right_{}_{}", kFingerNames[finger], joint));
     }
   }
   return digits;
@@ -50,7 +45,7 @@ Digits find_digits(const BodyStream& body) {
 Vec3 mean_direction(const SkeletonJoint& axes, const SkeletonJoint& from, const SkeletonJoint& to) {
   Vec3 sum = Vec3::Zero();
   double count = 0;
-  for (std::size_t i = 0; i < axes.position.size(); ++i) {
+  for (int i = 0; i < std::ssize(axes.position); ++i) {
     const Vec3 direction = axes.orientation[i].conjugate() * (to.position[i] - from.position[i]);
     if (!is_known(direction)) continue;
     sum += direction;
@@ -61,7 +56,7 @@ Vec3 mean_direction(const SkeletonJoint& axes, const SkeletonJoint& from, const 
 
 double mean_length(const SkeletonJoint& from, const SkeletonJoint& to) {
   double sum = 0, count = 0;
-  for (std::size_t i = 0; i < from.position.size(); ++i) {
+  for (int i = 0; i < std::ssize(from.position); ++i) {
     const double length = (to.position[i] - from.position[i]).norm();
     if (!std::isfinite(length)) continue;
     sum += length;

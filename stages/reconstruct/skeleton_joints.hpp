@@ -9,7 +9,7 @@
 
 namespace morphe::reconstruct {
 
-/// A recorded joint of a skeleton; it has no rows if there is no joint of that name.
+/// A recorded joint of a skeleton.
 struct SkeletonJoint {
   std::vector<Vec3> position;
   std::vector<Quat> orientation;
@@ -17,7 +17,7 @@ struct SkeletonJoint {
   bool exists() const { return !position.empty(); }  ///< true if it was recorded
 };
 
-/// Returns the joint of that name.
+/// Returns the joint of that name; without rows if there is none.
 SkeletonJoint find_joint(const BodyStream& body, const std::string& name);
 
 /// Returns true if the joint's orientation was ever seen.
@@ -29,10 +29,11 @@ using Digits = std::array<std::array<SkeletonJoint, 4>, kFingerCount>;
 /// Returns the finger joints of the right hand.
 Digits find_digits(const BodyStream& body);
 
-/// Returns the mean over the recording of the vector from `from` to `to` in the axes of a joint.
+/// Returns the mean over the recording of the vector from `from` to `to` in the axes of the joint
+/// `axes` (not normalised); NaN if the three are never seen together.
 Vec3 mean_direction(const SkeletonJoint& axes, const SkeletonJoint& from, const SkeletonJoint& to);
 
-/// Returns the mean distance between two joints [m].
+/// Returns the mean distance between two joints [m]; NaN if they are never seen together.
 double mean_length(const SkeletonJoint& from, const SkeletonJoint& to);
 
 }  // namespace morphe::reconstruct

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "stages/reconstruct/reconstruct.hpp"
+#include "core/motion/demonstration.hpp"
 #include "stages/reconstruct/time_grid.hpp"
 
 namespace morphe::reconstruct {
-
-/// Returns a motion of `clock.count` frames with all quantities unseen.
-HumanMotion unseen_motion(const TimeGrid& clock);
 
 /// Reconstructs arm, hand and two fingertips from marker clusters (a right hand).
 HumanMotion motion_from_markers(const Demonstration& demonstration,
@@ -17,11 +14,10 @@ HumanMotion motion_from_markers(const Demonstration& demonstration,
 HumanMotion motion_from_sensors(const Demonstration& demonstration,
                                 const ReconstructOptions& options, const HumanOptions& human);
 
-/// Reconstructs a skeleton's right arm: shoulder, elbow and wrist; the hand's orientation from its
-/// knuckles (of index, middle and little finger; otherwise from the thumb, noted in
-/// `reconstruction_notes`); its finger joints and tips, bone by bone with constant lengths; hand
-/// angles if it has all of them. A tip that coincides with the joint before it is estimated, and so
-/// are parts of the arm that were not recorded.
+/// Reconstructs a skeleton's right arm: shoulder, elbow and wrist; the hand's orientation
+/// (hand_orientation); finger joints and tips, bone by bone with constant lengths; hand angles if
+/// the hand is complete. Tips that coincide with the joint before them and parts of the arm that
+/// were not recorded are estimated.
 HumanMotion motion_from_skeleton(const Demonstration& demonstration,
                                  const ReconstructOptions& options, const HumanOptions& human);
 

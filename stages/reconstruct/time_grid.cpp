@@ -8,7 +8,7 @@
 namespace morphe::reconstruct {
 namespace {
 
-constexpr double kTimeTolerance_s = 1e-9;  // [s]
+constexpr double kTimeTolerance_s = 1e-9;
 // Recordings are far shorter (core/store/input_bounds.hpp); the limit protects memory.
 constexpr double kMaxSamples = 1e8, kMaxOversampling = 1e5;
 
@@ -17,28 +17,28 @@ class Spline {
  public:
   Spline(std::vector<double> time, std::vector<double> value)
       : time_(std::move(time)), value_(std::move(value)), curvature_(time_.size(), 0.0) {
-    const std::size_t n = time_.size();
+    const std::ptrdiff_t n = std::ssize(time_);
     if (n < 3) return;
     // The tridiagonal system of the second derivatives is solved by forward elimination.
     std::vector<double> diagonal(n, 1.0), right(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {
-      const double before = time_[i] - time_[i - 1], after = time_[i + 1] - time_[i];
+    for (std::ptrdiff_t i = 1; i + 1 < n; ++i) {
+      const double step_before = time_[i] - time_[i - 1], step_after = time_[i + 1] - time_[i];
       const double rise =
-          (value_[i + 1] - value_[i]) / after - (value_[i] - value_[i - 1]) / before;
-      const double factor = i == 1 ? 0.0 : before / diagonal[i - 1];
-      diagonal[i] = 2 * (before + after) - factor * (i == 1 ? 0.0 : before);
+          (value_[i + 1] - value_[i]) / step_after - (value_[i] - value_[i - 1]) / step_before;
+      const double factor = i == 1 ? 0.0 : step_before / diagonal[i - 1];
+      diagonal[i] = 2 * (step_before + step_after) - factor * (i == 1 ? 0.0 : step_before);
       right[i] = 6 * rise - factor * right[i - 1];
     }
-    for (std::size_t i = n - 2; i > 0; --i) {
-      const double after = time_[i + 1] - time_[i];
-      curvature_[i] = (right[i] - after * curvature_[i + 1]) / diagonal[i];
+    for (std::ptrdiff_t i = n - 2; i > 0; --i) {
+      const double step_after = time_[i + 1] - time_[i];
+      curvature_[i] = (right[i] - step_after * curvature_[i + 1]) / diagonal[i];
     }
   }
 
   double operator()(double t) const {
     if (time_.size() == 1) return value_.front();
     const auto above = std::upper_bound(time_.begin() + 1, time_.end() - 1, t);
-    const auto i = static_cast<std::size_t>(above - time_.begin()) - 1;
+    const std::ptrdiff_t i = above - time_.begin() - 1;
     const double h = time_[i + 1] - time_[i];
     const double a = (time_[i + 1] - t) / h, b = (t - time_[i]) / h;
     return a * value_[i] + b * value_[i + 1] +
@@ -62,7 +62,7 @@ std::vector<Spline> runs_of(const std::vector<double>& time, const std::vector<d
     run_time.clear();
     run_value.clear();
   };
-  for (std::size_t i = 0; i < time.size(); ++i) {
+  for (int i = 0; i < std::ssize(time); ++i) {
     if (!std::isfinite(values[i])) continue;
     if (!run_time.empty() && time[i] - run_time.back() > max_gap_s + kTimeTolerance_s) close();
     run_time.push_back(time[i]);
@@ -74,6 +74,17 @@ std::vector<Spline> runs_of(const std::vector<double>& time, const std::vector<d
 
 }  // namespace
 
+HumanMotion unseen_motion(const TimeGrid& clock) {
+  HumanMotion motion;
+  const int n = clock.count;
+  for (int i = 0; i < n; ++i) motion.time.push_back(clock.at(i));
+  motion.shoulder = motion.elbow = motion.wrist = std::vector<Vec3>(n, unknown_point());
+  motion.wrist_orientation = std::vector<Quat>(n, unknown_rotation());
+  motion.tip = motion.finger_joint = Array2D<Vec3>(n, kFingerCount, unknown_point());
+  motion.tip_orientation = Array2D<Quat>(n, kFingerCount, unknown_rotation());
+  return motion;
+}
+
 TimeGrid make_time_grid(const std::vector<const std::vector<double>*>& stream_times,
                         double rate_hz) {
   double begin = kUnknown, end = kUnknown;
@@ -83,9 +94,9 @@ TimeGrid make_time_grid(const std::vector<const std::vector<double>*>& stream_ti
     end = std::fmax(end, time->back());
   }
   if (!(end >= begin)) return {0, rate_hz, 0};
-  const double steps = std::floor((end - begin + kTimeTolerance_s) * rate_hz);
-  if (!(steps < kMaxSamples)) return {0, rate_hz, 0};
-  return {begin, rate_hz, static_cast<std::size_t>(steps) + 1};
+  const double step_count = std::floor((end - begin + kTimeTolerance_s) * rate_hz);
+  if (!(step_count < kMaxSamples)) return {0, rate_hz, 0};
+  return {begin, rate_hz, static_cast<int>(step_count) + 1};
 }
 
 std::vector<double> resample(const std::vector<double>& time, const std::vector<double>& values,
@@ -93,20 +104,21 @@ std::vector<double> resample(const std::vector<double>& time, const std::vector<
   std::vector<double> result(clock.count, kUnknown);
   if (time.size() < 2 || clock.count == 0 || !(time.back() > time.front())) return result;
   const double stream_rate = static_cast<double>(time.size() - 1) / (time.back() - time.front());
-  const auto refine = static_cast<std::size_t>(
-      std::clamp(std::ceil(stream_rate / clock.rate_hz - 1e-6), 1.0, kMaxOversampling));
-  const double fine_rate = clock.rate_hz * static_cast<double>(refine);
+  const double oversampling =
+      std::clamp(std::ceil(stream_rate / clock.rate_hz - 1e-6), 1.0, kMaxOversampling);
+  const std::ptrdiff_t refine = std::lround(oversampling);
+  const double fine_rate = clock.rate_hz * oversampling;
   for (const Spline& run : runs_of(time, values, options.max_gap_s)) {
     const double first = std::ceil((run.begin() - kTimeTolerance_s - clock.start_s) * fine_rate);
     std::vector<double> samples;
-    const auto begin = static_cast<std::size_t>(std::max(0.0, first));
-    for (std::size_t i = begin; i / refine < clock.count; ++i) {
+    const std::ptrdiff_t begin = std::lround(std::max(0.0, first));
+    for (std::ptrdiff_t i = begin; i / refine < clock.count; ++i) {
       const double t = clock.start_s + static_cast<double>(i) / fine_rate;
       if (t > run.end() + kTimeTolerance_s) break;
       samples.push_back(run(std::clamp(t, run.begin(), run.end())));
     }
     samples = math::low_pass_filter(samples, fine_rate, options.cutoff_hz);
-    for (std::size_t i = 0; i < samples.size(); ++i) {
+    for (std::ptrdiff_t i = 0; i < std::ssize(samples); ++i) {
       if ((begin + i) % refine == 0) result[(begin + i) / refine] = samples[i];
     }
   }
@@ -117,10 +129,10 @@ std::vector<Vec3> resample(const std::vector<double>& time, const std::vector<Ve
                            const TimeGrid& clock, const ReconstructOptions& options) {
   std::vector<Vec3> result(clock.count, unknown_point());
   std::vector<double> column(values.size());
-  for (Eigen::Index c = 0; c < 3; ++c) {
-    for (std::size_t i = 0; i < values.size(); ++i) column[i] = values[i][c];
+  for (int c = 0; c < 3; ++c) {
+    for (int i = 0; i < std::ssize(values); ++i) column[i] = values[i][c];
     const std::vector<double> filtered = resample(time, column, clock, options);
-    for (std::size_t i = 0; i < filtered.size(); ++i) result[i][c] = filtered[i];
+    for (int i = 0; i < std::ssize(filtered); ++i) result[i][c] = filtered[i];
   }
   return result;
 }
@@ -136,10 +148,10 @@ std::vector<Quat> resample(const std::vector<double>& time, const std::vector<Qu
   }
   std::vector<Quat> result(clock.count, unknown_rotation());
   std::vector<double> column(aligned.size());
-  for (Eigen::Index c = 0; c < 4; ++c) {
-    for (std::size_t i = 0; i < aligned.size(); ++i) column[i] = aligned[i].coeffs()[c];
+  for (int c = 0; c < 4; ++c) {
+    for (int i = 0; i < std::ssize(aligned); ++i) column[i] = aligned[i].coeffs()[c];
     const std::vector<double> filtered = resample(time, column, clock, options);
-    for (std::size_t i = 0; i < filtered.size(); ++i) result[i].coeffs()[c] = filtered[i];
+    for (int i = 0; i < std::ssize(filtered); ++i) result[i].coeffs()[c] = filtered[i];
   }
   for (Quat& rotation : result) {
     if (is_known(rotation)) rotation.normalize();

@@ -16,18 +16,17 @@
 #include <string_view>
 
 #include "core/math/seed.hpp"
+#include "stages/repair/constants.hpp"
 
 namespace morphe::repair {
 namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
-constexpr int kMaxLinearSearchIterations = 20000;  ///< planner iterations
-
 using RealVector = ob::RealVectorStateSpace::StateType;
 
-/// Maps between joint positions and the planner's coordinates: the free joints in shares of their
-/// span, then the progress of the following joints, scaled to their longest motion.
+/// Maps joint positions to coordinates: free joints in shares of their span, then the share of
+/// their change that the following joints have made, times follow_length.
 struct Coordinates {
   const ConnectSpace& space;
   const JointVector &from, &to;
@@ -39,26 +38,24 @@ struct Coordinates {
               const JointVector& goal)
       : space(searched), from(start), to(goal), span((robot.upper - robot.lower).cwiseMax(1e-6)) {
     followers = space.joints.size() < robot.joints();
-    for (int j = 0; j < static_cast<int>(robot.joints()); ++j) {
-      const bool free = std::count(space.joints.begin(), space.joints.end(), j) > 0;
+    for (int j = 0; j < span.size(); ++j) {
+      const bool free = std::ranges::count(space.joints, j) > 0;
       if (!free) follow_length = std::max(follow_length, std::abs(to[j] - from[j]) / span[j]);
     }
-    follow_length = std::max(follow_length, 1e-3);
+    follow_length = std::max(follow_length, kMinFollowLength);
   }
-
-  std::size_t dimension() const { return space.joints.size() + (followers ? 1 : 0); }
 
   void read(const ob::State* state, JointVector& q) const {
     const double* values = state->as<RealVector>()->values;
     const double share = followers ? values[space.joints.size()] / follow_length : 0;
     q = from + share * (to - from);
-    for (std::size_t i = 0; i < space.joints.size(); ++i)
+    for (int i = 0; i < std::ssize(space.joints); ++i)
       q[space.joints[i]] = values[i] * span[space.joints[i]];
   }
 
   void write(const JointVector& q, double share, ob::State* state) const {
     double* values = state->as<RealVector>()->values;
-    for (std::size_t i = 0; i < space.joints.size(); ++i)
+    for (int i = 0; i < std::ssize(space.joints); ++i)
       values[i] = q[space.joints[i]] / span[space.joints[i]];
     if (followers) values[space.joints.size()] = share * follow_length;
   }
@@ -71,11 +68,11 @@ struct Query {
   collision::CollisionScratch scratch;
   JointVector first, second;
 
-  bool state(const ob::State* state) {
+  bool is_free(const ob::State* state) {
     coordinates.read(state, first);
     return is_state_free(interval, first, scratch);
   }
-  bool line(const ob::State* a, const ob::State* b) {
+  bool is_edge_free(const ob::State* a, const ob::State* b) {
     coordinates.read(a, first);
     coordinates.read(b, second);
     return is_motion_free(interval, first, second, scratch);
@@ -87,16 +84,14 @@ class CertifiedEdges : public ob::MotionValidator {
   CertifiedEdges(const ob::SpaceInformationPtr& information, Query& query)
       : ob::MotionValidator(information), query_(query) {}
   bool checkMotion(const ob::State* a, const ob::State* b) const override {
-    return query_.line(a, b);
+    return query_.is_edge_free(a, b);
   }
   bool checkMotion(const ob::State* a, const ob::State* b,
                    std::pair<ob::State*, double>& last_valid) const override {
-    const bool free = query_.line(a, b);
-    if (!free) {
-      last_valid.second = 0;
-      if (last_valid.first) si_->copyState(last_valid.first, a);
-    }
-    return free;
+    if (query_.is_edge_free(a, b)) return true;
+    last_valid.second = 0;
+    if (last_valid.first) si_->copyState(last_valid.first, a);
+    return false;
   }
 
  private:
@@ -108,8 +103,7 @@ std::uint32_t ompl_seed(std::uint64_t seed, std::string_view name) {
   return static_cast<std::uint32_t>(math::seed_from(seed, name) >> 32) | 1U;
 }
 
-// OMPL seeds its samplers in the order of their creation over all threads; these are seeded
-// explicitly.
+// OMPL would seed its samplers in the order of their creation over all threads.
 class SeededSampler : public ob::RealVectorStateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint32_t seed)
@@ -136,9 +130,10 @@ std::vector<JointVector> plan_rrt_connect(const IntervalWorld& interval, const C
   const Coordinates coordinates(*interval.world.environment.robot, space, from, to);
   Query query{interval, coordinates, {}, {}, {}};
 
-  auto vectors = std::make_shared<ob::RealVectorStateSpace>(
-      static_cast<unsigned int>(coordinates.dimension()));
-  ob::RealVectorBounds bounds(static_cast<unsigned int>(coordinates.dimension()));
+  const auto dimension =
+      static_cast<unsigned int>(space.joints.size() + (coordinates.followers ? 1 : 0));
+  auto vectors = std::make_shared<ob::RealVectorStateSpace>(dimension);
+  ob::RealVectorBounds bounds(dimension);
   bounds.setLow(0);
   bounds.setHigh(coordinates.follow_length);
   for (unsigned int i = 0; i < space.joints.size(); ++i) {
@@ -152,7 +147,7 @@ std::vector<JointVector> plan_rrt_connect(const IntervalWorld& interval, const C
   });
 
   auto information = std::make_shared<ob::SpaceInformation>(vectors);
-  information->setStateValidityChecker([&query](const ob::State* s) { return query.state(s); });
+  information->setStateValidityChecker([&query](const ob::State* s) { return query.is_free(s); });
   information->setMotionValidator(std::make_shared<CertifiedEdges>(information, query));
   information->setup();
 
@@ -164,13 +159,11 @@ std::vector<JointVector> plan_rrt_connect(const IntervalWorld& interval, const C
 
   SeededConnect planner(information, ompl_seed(seed, "connect"));
   planner.setRange(range);
-  // The default nearest-neighbour structure draws random numbers, too; linear search takes too long
-  // in large trees.
-  if (iterations <= kMaxLinearSearchIterations) {
+  // The default nearest-neighbour structure draws random numbers, too.
+  if (iterations <= kMaxLinearSearchIterations)
     planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
-  } else {
+  else
     planner.setNearestNeighbors<ompl::NearestNeighborsSqrtApprox>();
-  }
   planner.setProblemDefinition(problem);
   planner.setup();
   ob::IterationTerminationCondition limit(static_cast<unsigned int>(iterations));

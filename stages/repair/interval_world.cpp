@@ -4,22 +4,20 @@
 #include <array>
 
 #include "core/robot/tree.hpp"
+#include "stages/repair/constants.hpp"
 
 namespace morphe::repair {
 namespace {
 
-/// clearance between fingers that smoothing may use up [m]
-constexpr double kMaxExtraHandClearance_m = 2e-4;
-constexpr int kTimeCount = 5;  ///< instants at which moving objects are checked
-
-bool moves(const SceneObject& object, double begin_s, double end_s) {
+bool moves_in(const SceneObject& object, double begin_s, double end_s) {
+  const auto at_begin_pose = [&](double t) {
+    return recorded_pose(object, begin_s).isApprox(recorded_pose(object, t), kRestPoseTolerance);
+  };
   return object.time.size() > 1 && object.time.front() < end_s && object.time.back() > begin_s &&
-         !(recorded_pose(object, begin_s).isApprox(recorded_pose(object, end_s), 1e-9) &&
-           recorded_pose(object, begin_s)
-               .isApprox(recorded_pose(object, (begin_s + end_s) / 2), 1e-9));
+         !(at_begin_pose(end_s) && at_begin_pose((begin_s + end_s) / 2));
 }
 
-void apply(TouchRule rule, double begin_s, double end_s, collision::CollisionWorld& world) {
+void apply_rule(TouchRule rule, double begin_s, double end_s, collision::CollisionWorld& world) {
   const bool always = begin_s >= world.touch_begin_s && end_s <= world.touch_end_s;
   const bool sometimes = begin_s <= world.touch_end_s && end_s >= world.touch_begin_s;
   if (always || !sometimes) return;
@@ -27,10 +25,8 @@ void apply(TouchRule rule, double begin_s, double end_s, collision::CollisionWor
   world.touch_end_s = rule == TouchRule::strict ? kUnknown : end_s;
 }
 
-/// Returns true if a capsule is fixed to the palm or to a descendant of it.
 bool in_hand(const RobotModel& robot, int capsule) {
-  const int frame = robot.capsules[capsule].frame;
-  return robot::is_in_subtree(robot, frame, robot.palm_frame);
+  return robot::is_in_subtree(robot, robot.capsules[capsule].frame, robot.palm_frame);
 }
 
 bool is_motion_free(const collision::CollisionWorld& world, const collision::JointMotion& line,
@@ -41,20 +37,21 @@ bool is_motion_free(const collision::CollisionWorld& world, const collision::Joi
 }  // namespace
 
 PaddedWorld padded_world(const collision::CollisionWorld& world, double extra_m) {
-  PaddedWorld clear{world, world, std::make_shared<Scene>(*world.scene), std::make_shared<Scene>()};
-  clear.environment.scene = clear.scene.get();
-  clear.environment.tolerances.required_clearance += extra_m;
-  clear.environment.tolerances.max_penetration -=
-      std::min(extra_m, world.tolerances.max_penetration) / 2;
-  clear.hand.scene = clear.empty_scene.get();
-  clear.hand.target = -1;
-  clear.hand.tolerances.required_clearance += std::min(extra_m, kMaxExtraHandClearance_m);
+  PaddedWorld padded{world, world, std::make_shared<Scene>(*world.scene),
+                     std::make_shared<Scene>()};
+  padded.environment.scene = padded.scene.get();
+  padded.environment.tolerances.required_clearance += extra_m;
+  padded.environment.tolerances.max_penetration -=
+      kMaxPenetrationLossRatio * std::min(extra_m, world.tolerances.max_penetration);
+  padded.hand.scene = padded.empty_scene.get();
+  padded.hand.target = -1;
+  padded.hand.tolerances.required_clearance += std::min(extra_m, kMaxExtraHandClearance_m);
   const auto within_hand = [&](const std::array<int, 2>& pair) {
     return in_hand(*world.robot, pair[0]) && in_hand(*world.robot, pair[1]);
   };
-  std::erase_if(clear.environment.pairs, within_hand);
-  std::erase_if(clear.hand.pairs, [&](const auto& pair) { return !within_hand(pair); });
-  return clear;
+  std::erase_if(padded.environment.pairs, within_hand);
+  std::erase_if(padded.hand.pairs, [&](const auto& pair) { return !within_hand(pair); });
+  return padded;
 }
 
 bool is_motion_free(const PaddedWorld& world, const JointVector& from, const JointVector& to,
@@ -67,33 +64,31 @@ bool is_motion_free(const PaddedWorld& world, const JointVector& from, const Joi
 IntervalWorld interval_world(const collision::CollisionWorld& world, double begin_s, double end_s,
                              double extra_m, TouchRule rule) {
   IntervalWorld interval{padded_world(world, extra_m), {begin_s}};
-  collision::CollisionWorld& around = interval.world.environment;
-  apply(rule, begin_s, end_s, around);
+  collision::CollisionWorld& environment = interval.world.environment;
+  apply_rule(rule, begin_s, end_s, environment);
 
   auto scene = std::make_shared<Scene>(*world.scene);
   if (world.target >= 0) {
     const auto target = scene->objects.begin() + world.target;
-    if (moves(*target, begin_s, end_s)) {
+    if (moves_in(*target, begin_s, end_s)) {
       scene->objects.erase(target);
-      around.target = -1;
+      environment.target = -1;
     }
   }
-  const bool still =
-      std::none_of(scene->objects.begin(), scene->objects.end(),
-                   [&](const SceneObject& object) { return moves(object, begin_s, end_s); });
-  for (int k = 1; !still && k < kTimeCount; ++k)
-    interval.times.push_back(
-        k + 1 == kTimeCount ? end_s : begin_s + (end_s - begin_s) * k / (kTimeCount - 1));
+  const bool moving = std::ranges::any_of(
+      scene->objects, [&](const SceneObject& object) { return moves_in(object, begin_s, end_s); });
+  const int steps = kIntervalTimeCount - 1;
+  for (int k = 1; moving && k <= steps; ++k)
+    interval.times.push_back(k == steps ? end_s : begin_s + (end_s - begin_s) * k / steps);
   interval.world.scene = std::move(scene);
-  around.scene = interval.world.scene.get();
+  environment.scene = interval.world.scene.get();
   return interval;
 }
 
 bool is_state_free(const IntervalWorld& interval, const JointVector& q,
                    collision::CollisionScratch& scratch) {
-  const collision::CollisionWorld& hand = interval.world.hand;
-  if (!collision::is_free(hand, q, interval.times.front(), scratch)) return false;
-  return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
+  if (!collision::is_free(interval.world.hand, q, interval.times.front(), scratch)) return false;
+  return std::ranges::all_of(interval.times, [&](double time_s) {
     return collision::is_free(interval.world.environment, q, time_s, scratch);
   });
 }
@@ -104,7 +99,7 @@ bool is_motion_free(const IntervalWorld& interval, const JointVector& from, cons
   const collision::JointMotion line =
       collision::straight_motion(from, to, interval.times.front(), interval.times.front());
   if (!hand.pairs.empty() && !is_motion_free(hand, line, scratch)) return false;
-  return std::all_of(interval.times.begin(), interval.times.end(), [&](double time_s) {
+  return std::ranges::all_of(interval.times, [&](double time_s) {
     return is_motion_free(interval.world.environment,
                           collision::straight_motion(from, to, time_s, time_s), scratch);
   });

@@ -7,8 +7,8 @@
 
 namespace morphe::repair {
 
-/// A collision world with a clearance larger than the margin; within the hand by at most 0.2 mm,
-/// because the fingers are within millimetres of each other in every posture.
+/// A collision world with extra clearance, of which there is little within the hand because its
+/// fingers are always close to each other.
 struct PaddedWorld {
   collision::CollisionWorld environment;  ///< all pairs except those within the hand
   collision::CollisionWorld hand;         ///< the pairs within the hand, without objects
@@ -16,29 +16,27 @@ struct PaddedWorld {
   std::shared_ptr<const Scene> empty_scene;
 };
 
-/// Returns the world with the margin increased by `extra_m`; at least half of the contact depth
-/// remains.
+/// Returns the world with `extra_m` more clearance, within the hand at most
+/// kMaxExtraHandClearance_m. At least half of the permitted penetration remains.
 PaddedWorld padded_world(const collision::CollisionWorld& world, double extra_m);
 
-/// Returns true if the motion along the straight line is certified to be free while the
-/// demonstration time advances from from_s to to_s.
+/// Returns true if the straight line from `from` to `to` is certified to be free while the
+/// demonstration time advances from `from_s` to `to_s`.
 bool is_motion_free(const PaddedWorld& world, const JointVector& from, const JointVector& to,
                     double from_s, double to_s, collision::CollisionScratch& scratch);
 
-/// The world of a planned interval. Its states have no time of their own; each must be free at all
-/// of `times`. A target that moves within the interval is omitted, since no state could hold it at
-/// all times.
+/// The world of an interval, whose states must be free at all of `times`. A target that moves in
+/// the interval is left out.
 struct IntervalWorld {
   PaddedWorld world;
-  std::vector<double> times;  ///< demonstration time [s]
+  std::vector<double> times;  ///< demonstration time [s]; only the begin if no object moves
 };
 
-/// The rule for an interval that extends beyond the time in which the target may be touched:
-/// `strict` forbids contact in the whole interval, `lenient` allows it in the whole interval (the
-/// check of the whole path decides).
+/// The rule for an interval that is only partly within the time in which the hand may touch the
+/// target: it may do so at no time of the interval (strict) or at all times (lenient).
 enum class TouchRule { strict, lenient };
 
-/// Returns the world of an interval of demonstration time.
+/// Returns the world of an interval of demonstration time with `extra_m` more clearance.
 IntervalWorld interval_world(const collision::CollisionWorld& world, double begin_s, double end_s,
                              double extra_m, TouchRule rule);
 

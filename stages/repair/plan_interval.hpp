@@ -8,23 +8,23 @@
 
 namespace morphe::repair {
 
-/// An interval of a path that is to be replanned. Its samples `first` and `last` are free in
-/// `untimed_world`; those between them are planned.
+/// An interval of a path, to be replanned between two samples that are free in `untimed`.
 struct Interval {
-  int first = 0, last = 0;      ///< indices of samples of the path
-  IntervalWorld untimed_world;  ///< for states that must be free at all times
-  PaddedWorld timed_world;      ///< the same clearance, for states with a time of their own
+  int first = 0, last = 0;  ///< indices of samples of the path
+  IntervalWorld untimed;    ///< world for states that must be free at all times of the interval
+  PaddedWorld timed;        ///< world with the same clearance, for states at a given time
 };
 
-/// Returns the interval around a finding: `widen` samples wider on each side, then extended to the
-/// nearest samples that are free with the extra clearance. If these are far, less clearance or
-/// contact with the target is tried. Returns nullopt if one side has no free sample.
+/// Returns the interval around a finding from `begin_s` to `end_s`. It is `widen` samples wider on
+/// each side, then extended to the nearest samples that are free with `extra_clearance` [m]. If
+/// these are far, less clearance and contact with the target are tried too, and the shortest
+/// interval is returned; nullopt if none ends at free samples.
 std::optional<Interval> interval_around(const collision::CollisionWorld& world,
                                         const JointPath& path, double begin_s, double end_s,
                                         int widen, double extra_clearance);
 
-/// Plans the samples inside an interval (SampleOrigin::planned); `attempt` (0, 1, …) widens the
-/// search space. Returns false and leaves the path unchanged if no path was found.
+/// Replaces the samples of `path` inside an interval by planned ones. A higher `attempt` (from 0)
+/// searches a wider space. Returns false, with `path` unchanged, if no path was found.
 bool plan_interval(const Interval& interval, const RepairOptions& options, int attempt,
                    std::uint64_t seed, JointPath& path);
 

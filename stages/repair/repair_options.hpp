@@ -8,22 +8,20 @@
 
 namespace morphe::repair {
 
-/// The repair method. `rrt_connect` is a baseline that plans all joints at once and only applies
-/// shortcuts.
+/// The repair method; the baseline `rrt_connect` plans all joints at once, with shortcuts only.
 enum class Method { humanlike, rrt_connect };
 constexpr std::array<std::string_view, 2> names_of(Method) { return {"humanlike", "rrt_connect"}; }
 
 /// The options of repair.
 struct RepairOptions {
   Method method = Method::humanlike;
-  int attempts = 3;              ///< number of planning attempts, each wider than the last
-  int max_iterations = 3000;     ///< of the planner, per attempt and interval
-  int widen_samples = 20;        ///< added on each side of a finding, once more per attempt
-  double range = 0.1;            ///< longest step of the planner, in shares of a joint's span
-  int shortcut_attempts = 100;   ///< number of shortcuts tried in a planned interval
-  int pull_back_attempts = 200;  ///< number of windows pulled towards the original path
-  /// number of searches for candidate paths of the whole movement if the first cannot be repaired
-  int mapping_searches = 3;
+  int attempts = 3;                ///< number of planning attempts, each wider than the last
+  int max_iterations = 3000;       ///< iterations of the planner per attempt and interval
+  int widen_samples = 20;          ///< samples added on each side of a finding, times the attempt
+  double range = 0.1;              ///< longest step of the planner, in shares of a joint's span
+  int shortcut_attempts = 100;     ///< number of shortcuts tried in a planned interval
+  int pull_back_attempts = 200;    ///< number of windows pulled towards the original path
+  int mapping_searches = 3;        ///< number of searches for candidate paths of the whole movement
   double extra_clearance = 0.005;  ///< clearance in addition to the margin during planning [m]
 };
 template <class Fields>

@@ -7,13 +7,13 @@
 
 namespace morphe::repair {
 
-/// Plans a free path between two postures in the scene as it is at `time_s`: RRT-Connect with
-/// certified edges, first the arm with the fingers in proportion, then all joints; shortened, and
-/// pulled towards the straight line as far as it stays free. Samples are at most 0.02 rad apart,
-/// all with SampleOrigin::planned; demonstration_time increases by 0.01 s per sample from `time_s`
-/// and is only a label. The extra clearance is used if both ends have it. Returns a path without
-/// samples if options.attempts attempts of options.iterations iterations did not find one. Depends
-/// only on its arguments.
+/// Plans a free path from `from` to `to`, which is clamped to the joint limits, in the scene as it
+/// is at `time_s`. RRT-Connect with certified edges moves first the arm with the fingers in
+/// proportion, then all joints. The path is shortened and pulled towards the straight line as far
+/// as it stays free. Its steps are about kMaxTransitStep_rad or shorter; demonstration_time, from
+/// `time_s` on, is only a label. The clearance is the margin plus the largest of
+/// kExtraClearanceShares of options.extra_clearance that both ends have, or else the margin alone.
+/// Returns a path without samples if none was found. The result depends only on the arguments.
 JointPath plan_transit(const collision::CollisionWorld& world, const JointVector& from,
                        const JointVector& to, double time_s, const RepairOptions& options,
                        std::uint64_t seed);

@@ -8,86 +8,79 @@
 
 namespace morphe::retime {
 namespace {
-
-/// Returns the speed of the fastest tip per du/dt [m].
 double tip_rate(const RobotModel& robot, const JointRows& q) {
   std::vector<Pose> base_from_frame;
   const JointVector position = q.row(0).transpose(), rate = q.row(1).transpose();
   robot::forward_kinematics(robot, position, base_from_frame);
   Eigen::Matrix3Xd jacobian(3, position.size());
-  double fastest = 0;
-  for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
+  double max_speed = 0;
+  for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
     const Vec3 point = robot::tip_pose(robot, base_from_frame, tip).translation();
     robot::point_jacobian(robot, base_from_frame, robot.tips[tip].frame, point, jacobian);
-    fastest = std::max(fastest, (jacobian * rate).norm());
+    max_speed = std::max(max_speed, (jacobian * rate).norm());
   }
-  return fastest;
+  return max_speed;
 }
 
-/// Returns the least time per unit of path parameter that the braking curves allow [s/s].
-double braking_rate(const ConstrainedPath& paced_path, const JointRows& q) {
-  /// share of the velocity limit; keeps the path velocity above 0
-  constexpr double kMinBrakingVelocityRatio = 1e-3;
-  double slowest = 0;
-  for (const RobotModel::BrakingCurve& curve : paced_path.robot->braking_curves) {
+/// Returns the shortest time per unit of path parameter that the braking curves allow [s/s].
+double braking_rate(const ConstrainedPath& path, const JointRows& q) {
+  double min_time_s = 0;
+  for (const RobotModel::BrakingCurve& curve : path.robot->braking_curves) {
     const double rate = q(1, curve.joint);
-    const double left =
-        paced_path.braking_share * math::braking_speed_limit(curve, q(0, curve.joint), rate > 0);
-    const double least = kMinBrakingVelocityRatio * paced_path.velocity[curve.joint];
-    slowest = std::max(slowest, std::abs(rate) / std::max(left, least));
+    const double speed =
+        path.braking_share * math::braking_speed_limit(curve, q(0, curve.joint), rate > 0);
+    const double min_speed = kMinBrakingSpeedRatio * path.velocity[curve.joint];
+    min_time_s = std::max(min_time_s, std::abs(rate) / std::max(speed, min_speed));
   }
-  return slowest;
+  return min_time_s;
 }
 
-/// Returns the value of the cell at a share of the length, from values over equal cells;
-/// `otherwise` if there are no values.
-double of_cell(const std::vector<double>& values, double share, double otherwise) {
-  if (values.empty()) return otherwise;
+/// Returns the value of the cell at a share of the length, which the cells divide equally.
+double cell_value(const std::vector<double>& values, double share, double value_if_empty) {
+  if (values.empty()) return value_if_empty;
   const auto cells = static_cast<double>(values.size());
   return values[static_cast<std::size_t>(std::clamp(share * cells, 0.0, cells - 1))];
 }
 
 }  // namespace
 
-double slowdown_at(const ConstrainedPath& paced_path, double u) {
-  return of_cell(paced_path.slowdown, u / paced_path.spline.duration_s, 1);
+double slowdown_at(const ConstrainedPath& path, double u) {
+  return cell_value(path.slowdown, u / path.spline.duration_s, 1);
 }
 
-double max_path_velocity(const ConstrainedPath& paced_path, double u, const JointRows& q) {
-  double least_s = (q.row(1).transpose().cwiseAbs().cwiseQuotient(paced_path.velocity)).maxCoeff();
-  least_s = std::max(least_s, braking_rate(paced_path, q)) * slowdown_at(paced_path, u);
-  if (paced_path.tip_speed < kMaxPathVelocity) {
-    least_s = std::max(least_s, tip_rate(*paced_path.robot, q) / paced_path.tip_speed);
-  }
-  const double z =
-      std::min(1.0, std::min(u, paced_path.spline.duration_s - u) / paced_path.end_speedup_s);
-  const double hurry = of_cell(paced_path.speedup, u / paced_path.spline.duration_s, 0);
-  const double tempo = paced_path.nominal_path_velocity * (1 + hurry) *
-                       (1 + paced_path.end_speedup * (1 - z * z * (3 - 2 * z)));
-  const double pace = std::min(1 / std::max(least_s, 1 / kMaxPathVelocity), tempo);
-  if (paced_path.phase_scale.empty()) return pace;
-  const PhaseKind phase =
-      phase_at(paced_path.movement->phases, demonstration_time_at(paced_path.parameterized, u));
-  return pace * paced_path.phase_scale[static_cast<std::size_t>(phase)];
+double max_path_velocity(const ConstrainedPath& path, double u, const JointRows& q) {
+  double least_s = (q.row(1).transpose().cwiseAbs().cwiseQuotient(path.velocity)).maxCoeff();
+  least_s = std::max(least_s, braking_rate(path, q)) * slowdown_at(path, u);
+  if (path.tip_speed < kMaxPathVelocity)
+    least_s = std::max(least_s, tip_rate(*path.robot, q) / path.tip_speed);
+  const double z = std::min(1.0, std::min(u, path.spline.duration_s - u) / path.end_speedup_s);
+  const double speedup = cell_value(path.speedup, u / path.spline.duration_s, 0);
+  const double nominal = path.nominal_path_velocity * (1 + speedup) *
+                         (1 + path.end_speedup * (1 - z * z * (3 - 2 * z)));
+  const double velocity = std::min(1 / std::max(least_s, 1 / kMaxPathVelocity), nominal);
+  if (path.phase_scale.empty()) return velocity;
+  const auto scale = path.phase_scale.find(
+      phase_at(path.movement->phases, demonstration_time_at(path.parameterized, u)));
+  return scale == path.phase_scale.end() ? velocity : velocity * scale->second;
 }
 
-PathGrid path_grid(const ConstrainedPath& paced_path, Eigen::Index steps) {
+PathGrid path_grid(const ConstrainedPath& path, Eigen::Index steps) {
   PathGrid grid;
-  grid.step = paced_path.spline.duration_s / static_cast<double>(steps);
-  const Eigen::Index n = paced_path.acceleration.size();
-  const Eigen::ArrayXd inverse = paced_path.acceleration.array().inverse();
+  grid.step = path.spline.duration_s / static_cast<double>(steps);
+  const Eigen::Index n = path.acceleration.size();
+  const Eigen::ArrayXd inverse = path.acceleration.array().inverse();
   grid.first.resize(n, steps + 1);
   grid.second.resize(n, steps + 1);
   grid.ceiling.resize(steps + 1);
   JointRows q;
   for (Eigen::Index i = 0; i <= steps; ++i) {
     const double u = static_cast<double>(i) * grid.step;
-    math::evaluate(paced_path.spline, u, q);
-    const double slower = slowdown_at(paced_path, u) * slowdown_at(paced_path, u);
-    grid.first.col(i) = slower * q.row(1).transpose().array() * inverse;
-    grid.second.col(i) = slower * q.row(2).transpose().array() * inverse;
-    const double pace = max_path_velocity(paced_path, u, q);
-    grid.ceiling[i] = pace * pace;
+    math::evaluate(path.spline, u, q);
+    const double squared_slowdown = slowdown_at(path, u) * slowdown_at(path, u);
+    grid.first.col(i) = squared_slowdown * q.row(1).transpose().array() * inverse;
+    grid.second.col(i) = squared_slowdown * q.row(2).transpose().array() * inverse;
+    const double velocity = max_path_velocity(path, u, q);
+    grid.ceiling[i] = velocity * velocity;
   }
   return grid;
 }

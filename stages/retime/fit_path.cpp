@@ -2,32 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/math/banded.hpp"
 #include "core/math/quintic.hpp"
 #include "core/robot/forward_kinematics.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/retime/constants.hpp"
 #include "stages/retime/limited_fit.hpp"
 
 namespace morphe::retime {
 namespace {
 
-/// after kRoundsBeforeRelaxing the roughness weight is reduced around samples out of tolerance
-constexpr int kMaxRounds = 30, kRoundsBeforeRelaxing = 6;
-constexpr int kMaxStepHalvings = 2;
-constexpr double kRoughnessReductionRatio = 0.5;
-constexpr double kEndWeight = 1e5;        ///< keeps the path's ends
-constexpr double kMaxSampleWeight = 1e8;  ///< beyond it rounding errors dominate
-constexpr double kLimitWeight = 100;  ///< weight of a point pulled onto a joint limit, relative …
-constexpr double kMaxLimitWeight = 1e10;  ///< … to the weights of the samples around it
-/// limits of double precision
-constexpr double kMinRoughnessWeight = 1e-8, kMaxRoughnessWeight = 1e6;
-/// share of the tip tolerance that is used, because the Jacobian is a linearisation
-constexpr double kLinearizationShare = 0.98;
-constexpr double kMinSmoothingDuration_s = 0.003, kMinTolerance = 1e-5;
-
-/// The Jacobians of the tips' positions at each sample, and the joints on which no tip depends.
+/// The Jacobians of the tips' positions at each sample, and the joints that move no tip.
 struct TipJacobians {
   std::vector<Eigen::MatrixXd> jacobian;  ///< [W] of [3 m, n]
   Eigen::ArrayXd bare;                    ///< [n] 1 for a joint that moves no tip, otherwise 0
@@ -35,8 +21,7 @@ struct TipJacobians {
 
 TipJacobians tip_jacobians_of(const RobotModel& robot, const JointRows& samples) {
   TipJacobians out;
-  const Eigen::Index n = samples.cols();
-  const auto tips = static_cast<Eigen::Index>(robot.tips.size());
+  const Eigen::Index n = samples.cols(), tips = std::ssize(robot.tips);
   out.bare = Eigen::ArrayXd::Ones(n);
   if (tips == 0) return out;
   for (const RobotModel::Tip& tip : robot.tips) {
@@ -46,15 +31,13 @@ TipJacobians tip_jacobians_of(const RobotModel& robot, const JointRows& samples)
     }
   }
   std::vector<Pose> base_from_frame;
-  Eigen::MatrixXd both(6 * tips, n);
+  Eigen::MatrixXd jacobians(6 * tips, n);
   for (Eigen::Index i = 0; i < samples.rows(); ++i) {
     const JointVector q = samples.row(i).transpose();
     robot::forward_kinematics(robot, q, base_from_frame);
-    robot::tip_jacobians(robot, base_from_frame, both);
+    robot::tip_jacobians(robot, base_from_frame, jacobians);
     Eigen::MatrixXd& points = out.jacobian.emplace_back(3 * tips, n);
-    for (Eigen::Index t = 0; t < tips; ++t) {
-      points.middleRows<3>(3 * t) = both.middleRows<3>(6 * t);
-    }
+    for (int t = 0; t < tips; ++t) points.middleRows<3>(3 * t) = jacobians.middleRows<3>(6 * t);
   }
   return out;
 }
@@ -62,20 +45,17 @@ TipJacobians tip_jacobians_of(const RobotModel& robot, const JointRows& samples)
 struct Deviation {
   double tip = 0, bare = 0, any = 0;
 };
-Deviation deviation_at(const TipJacobians& leverage, std::size_t i, const JointVector& off) {
+Deviation deviation_at(const TipJacobians& tips, int i, const JointVector& offset) {
   Deviation out;
-  out.any = off.cwiseAbs().maxCoeff();
-  out.bare = (off.array().abs() * leverage.bare).maxCoeff();
-  if (leverage.jacobian.empty()) return out;
-  const Eigen::VectorXd moved = leverage.jacobian[i] * off;
-  for (Eigen::Index t = 0; t < moved.size(); t += 3) {
-    out.tip = std::max(out.tip, moved.segment<3>(t).norm());
-  }
+  out.any = offset.cwiseAbs().maxCoeff();
+  out.bare = (offset.array().abs() * tips.bare).maxCoeff();
+  if (tips.jacobian.empty()) return out;
+  const Eigen::VectorXd moved = tips.jacobian[i] * offset;
+  for (int t = 0; t < moved.size(); t += 3) out.tip = std::max(out.tip, moved.segment<3>(t).norm());
   return out;
 }
 
-/// The positions of the samples among the knots and their weights, which are the same for all
-/// joints.
+/// The positions of the samples among the knots and their weights, the same for all joints.
 struct Rows {
   std::vector<math::KnotPosition> place;
   std::vector<Eigen::Matrix<double, 6, 1>> basis;
@@ -88,64 +68,56 @@ Rows rows_of(const std::vector<double>& clock, const std::vector<double>& allowa
              double duration_s, const math::JointSpline& spline) {
   Rows rows;
   rows.roughness = Eigen::VectorXd::Constant(spline.coefficient.rows() - 3, kMinRoughnessWeight);
-  for (std::size_t i = 0; i < clock.size(); ++i) {
-    const math::KnotPosition at = math::knot_position(spline, clock[i]);
-    rows.place.push_back(at);
-    const auto basis = math::bspline_weights<5>(at.z);
+  for (int i = 0; i < std::ssize(clock); ++i) {
+    const math::KnotPosition place = math::knot_position(spline, clock[i]);
+    rows.place.push_back(place);
+    const auto basis = math::bspline_weights<5>(place.z);
     rows.basis.emplace_back(basis.data());
     const double roughness = std::min(
         kMaxRoughnessWeight, std::pow(allowance[i] * duration_s / spline.knot_spacing(), 6));
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      double& here = rows.roughness[at.interval + k];
-      here = std::max(here, roughness);
+    for (int k = 0; k < 3; ++k) {
+      double& weight = rows.roughness[place.interval + k];
+      weight = std::max(weight, roughness);
     }
     const double before = i > 0 ? clock[i] - clock[i - 1] : 0;
-    const double after = i + 1 < clock.size() ? clock[i + 1] - clock[i] : 0;
-    rows.weight.push_back(std::max(0.02, 0.5 * (before + after) / spline.knot_spacing()));
+    const double after = i + 1 < std::ssize(clock) ? clock[i + 1] - clock[i] : 0;
+    rows.weight.push_back(
+        std::max(kMinSampleWeight, 0.5 * (before + after) / spline.knot_spacing()));
   }
   rows.weight.front() = rows.weight.back() = kEndWeight;
   return rows;
 }
 
-/// Raises each sample's weight to at least a tenth of its neighbours', because a single large
-/// weight would only make the curve oscillate around its sample. The ends keep their weights.
+/// Raises each weight to at least kMinNeighbourWeightRatio of its neighbours', except at the ends.
 void smooth_weights(std::vector<double>& weight) {
-  constexpr double kMinNeighbourShare = 0.1;
-  for (std::size_t i = 2; i + 1 < weight.size(); ++i) {
-    weight[i] = std::max(weight[i], kMinNeighbourShare * weight[i - 1]);
-  }
-  for (std::size_t i = weight.size() - 2; i-- > 1;) {
-    weight[i] = std::max(weight[i], kMinNeighbourShare * weight[i + 1]);
-  }
+  for (int i = 2; i + 1 < std::ssize(weight); ++i)
+    weight[i] = std::max(weight[i], kMinNeighbourWeightRatio * weight[i - 1]);
+  for (std::ptrdiff_t i = std::ssize(weight) - 3; i > 0; --i)
+    weight[i] = std::max(weight[i], kMinNeighbourWeightRatio * weight[i + 1]);
 }
 
-/// Weighs the limits more than the samples that share coefficients with an interval.
+/// Sets the limit weight of each interval above the weights of the samples that share coefficients
+/// with it.
 void weigh_limits(Rows& rows) {
   const Eigen::Index intervals = rows.roughness.size() - 2;
-  rows.limit_weight = Eigen::VectorXd::Constant(intervals, 10);
-  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
+  rows.limit_weight = Eigen::VectorXd::Constant(intervals, kMinLimitSampleWeight);
+  for (int i = 0; i < std::ssize(rows.weight); ++i) {
     const Eigen::Index first = std::max<Eigen::Index>(0, rows.place[i].interval - 5);
     const Eigen::Index last = std::min(intervals - 1, rows.place[i].interval + 5);
-    for (Eigen::Index k = first; k <= last; ++k) {
+    for (Eigen::Index k = first; k <= last; ++k)
       rows.limit_weight[k] = std::max(rows.limit_weight[k], rows.weight[i]);
-    }
   }
   rows.limit_weight = (kLimitWeight * rows.limit_weight).cwiseMin(kMaxLimitWeight);
 }
-
-/// Returns the matrix of the normal equations without pulled points.
 math::BandedMatrix normal_of(const Rows& rows) {
   math::BandedMatrix normal(rows.roughness.size() + 3, 5);
-  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
+  for (int i = 0; i < std::ssize(rows.weight); ++i)
     add_form(normal, rows.place[i].interval, rows.weight[i], rows.basis[i].data());
-  }
   constexpr std::array<double, 4> third{-1, 3, -3, 1};
-  for (Eigen::Index i = 0; i < rows.roughness.size(); ++i) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      for (std::size_t b = 0; b <= a; ++b) {
+  for (int i = 0; i < rows.roughness.size(); ++i) {
+    for (int a = 0; a < 4; ++a)
+      for (int b = 0; b <= a; ++b)
         normal.entry(i + a, a - b) += rows.roughness[i] * third[a] * third[b];
-      }
-    }
   }
   return normal;
 }
@@ -153,43 +125,40 @@ math::BandedMatrix normal_of(const Rows& rows) {
 void solve(Rows& rows, const JointRows& offset, const JointVector& lower, const JointVector& upper,
            std::vector<LimitMultipliers>& pulls, JointRows& coefficient) {
   coefficient.setZero();
-  for (std::size_t i = 0; i < rows.weight.size(); ++i) {
-    for (Eigen::Index a = 0; a < 6; ++a) {
+  for (int i = 0; i < std::ssize(rows.weight); ++i) {
+    for (int a = 0; a < 6; ++a) {
       coefficient.row(rows.place[i].interval + a) +=
           (rows.weight[i] * rows.basis[i][a]) * offset.row(i);
     }
   }
-  const JointRows right = coefficient;
+  const JointRows rhs = coefficient;
   const math::BandedMatrix free = normal_of(rows);
   math::solve_factored(factor_damped(free), coefficient);
-  for (std::size_t joint = 0; joint < pulls.size(); ++joint) {
-    const auto column = static_cast<Eigen::Index>(joint);
-    Eigen::VectorXd c = coefficient.col(column);
+  for (int joint = 0; joint < std::ssize(pulls); ++joint) {
+    Eigen::VectorXd c = coefficient.col(joint);
     // The curve is also inside the convex hull of its coefficients.
-    const bool inside = c.minCoeff() >= lower[column] && c.maxCoeff() <= upper[column];
+    const bool inside = c.minCoeff() >= lower[joint] && c.maxCoeff() <= upper[joint];
     if (inside && pulls[joint].side.size() == 0) continue;
     if (rows.limit_weight.size() == 0) weigh_limits(rows);
-    solve_within_limits({free, right.col(column), rows.limit_weight, lower[column], upper[column]},
+    solve_within_limits({free, rhs.col(joint), rows.limit_weight, lower[joint], upper[joint]},
                         pulls[joint], c);
-    coefficient.col(column) = c;
+    coefficient.col(joint) = c;
   }
 }
 
-/// Fits once on given knots and returns the largest ratio of a deviation to its tolerance; the fit
-/// is within the tolerances if it is <= 1.
+/// Fits once on given knots and returns the largest ratio of a deviation to its tolerance.
 double fit(const RobotModel& robot, const std::vector<double>& clock, const JointRows& samples,
            const std::vector<double>& allowance, const FitTolerance& tolerance,
-           const TipJacobians& leverage, PathFit& out) {
+           const TipJacobians& tips, PathFit& out) {
   Rows rows = rows_of(clock, allowance, tolerance.duration_s, out.spline);
   // Fits offsets from the first sample, because damping must not move a constant.
   const Eigen::RowVectorXd origin =
       samples.row(0).cwiseMax(robot.lower.transpose()).cwiseMin(robot.upper.transpose());
   const JointRows offset = samples.rowwise() - origin;
-  const Eigen::Index n = samples.cols();
   const JointVector inset = (0.25 * (robot.upper - robot.lower)).cwiseMin(kLimitInset_rad);
   const JointVector lower = robot.lower + inset - origin.transpose();
   const JointVector upper = robot.upper - inset - origin.transpose();
-  std::vector<LimitMultipliers> pulls(n);
+  std::vector<LimitMultipliers> pulls(samples.cols());
   JointRows& coefficient = out.spline.coefficient;
   double excess = 0;
   for (int round = 0; round < kMaxRounds; ++round) {
@@ -197,22 +166,21 @@ double fit(const RobotModel& robot, const std::vector<double>& clock, const Join
     solve(rows, offset, lower, upper, pulls, coefficient);
     bool settled = true;
     excess = out.tip_deviation = out.joint_deviation = 0;
-    for (std::size_t i = 0; i < clock.size(); ++i) {
-      const JointVector off =
+    for (int i = 0; i < std::ssize(clock); ++i) {
+      const JointVector residual =
           coefficient.middleRows<6>(rows.place[i].interval).transpose() * rows.basis[i] -
           offset.row(i).transpose();
-      const Deviation here = deviation_at(leverage, i, off);
-      out.tip_deviation = std::max(out.tip_deviation, here.tip);
-      out.joint_deviation = std::max(out.joint_deviation, here.any);
-      const double share = std::max(here.tip / (kLinearizationShare * tolerance.tip_m),
-                                    here.bare / tolerance.joint_rad) /
+      const Deviation deviation = deviation_at(tips, i, residual);
+      out.tip_deviation = std::max(out.tip_deviation, deviation.tip);
+      out.joint_deviation = std::max(out.joint_deviation, deviation.any);
+      const double ratio = std::max(deviation.tip / (kLinearizationShare * tolerance.tip_m),
+                                    deviation.bare / tolerance.joint_rad) /
                            allowance[i];
-      excess = std::max(excess, share);
-      if (share <= 1 || rows.weight[i] > kMaxSampleWeight) continue;
-      rows.weight[i] *= std::clamp(share * share, 2.0, 100.0);
-      if (round >= kRoundsBeforeRelaxing) {
+      excess = std::max(excess, ratio);
+      if (ratio <= 1 || rows.weight[i] > kMaxSampleWeight) continue;
+      rows.weight[i] *= std::clamp(ratio * ratio, kMinWeightGrowth, kMaxWeightGrowth);
+      if (round >= kRoundsBeforeRelaxing)
         rows.roughness.segment<3>(rows.place[i].interval) *= kRoughnessReductionRatio;
-      }
       settled = false;
     }
     if (settled) break;
@@ -222,77 +190,70 @@ double fit(const RobotModel& robot, const std::vector<double>& clock, const Join
   return excess;
 }
 
-/// Returns true if a joint's curve is inside its limits between the knots `from` and `to`, where
-/// each interval is the quintic that interpolates its two ends.
+/// Returns true if a joint's curve, quintics between knots, is inside its limits from knot `from`
+/// to knot `to`.
 bool stays_inside(const math::JointSpline& spline, Eigen::Index joint, Eigen::Index from,
                   Eigen::Index to, double lower, double upper) {
-  JointRows at;
+  const double spacing = spline.knot_spacing();
+  JointRows q;
   const auto state_at = [&](Eigen::Index knot) {
-    math::evaluate(spline, spline.knot_spacing() * static_cast<double>(knot), at);
-    return math::JointState{at(0, joint), at(1, joint), at(2, joint)};
+    math::evaluate(spline, spacing * static_cast<double>(knot), q);
+    return math::JointState{q(0, joint), q(1, joint), q(2, joint)};
   };
   math::JointState begin = state_at(from);
   for (Eigen::Index knot = from + 1; knot <= to; ++knot) {
     const math::JointState end = state_at(knot);
-    if (math::limit_excess(math::quintic_piece(begin, end, spline.knot_spacing()), lower, upper) >
-        0)
+    if (math::limit_excess(math::quintic_piece(begin, end, spacing), lower, upper) > 0)
       return false;
     begin = end;
   }
   return true;
 }
 
-/// Returns the coefficients with the deviation at a missed end added there, fading out over `fade`
-/// knots.
-Eigen::VectorXd with_end(Eigen::VectorXd coefficient, double missing, bool first, Eigen::Index flat,
-                         Eigen::Index fade) {
-  for (Eigen::Index k = 0; k < flat + fade; ++k) {
-    const double along = static_cast<double>(std::max<Eigen::Index>(0, k - flat + 1)) /
-                         static_cast<double>(fade + 1);
-    const double share = 1 - along * along * along * (10 + along * (6 * along - 15));
-    coefficient[first ? k : coefficient.size() - 1 - k] += share * missing;
+/// Returns the coefficients with `missing` added at an end and fading out over `fade` knots.
+Eigen::VectorXd with_end(Eigen::VectorXd curve, double missing, bool first, Eigen::Index fade) {
+  for (Eigen::Index k = 0; k < kFlatKnots + fade; ++k) {
+    const double z = static_cast<double>(std::max<Eigen::Index>(0, k - kFlatKnots + 1)) /
+                     static_cast<double>(fade + 1);
+    const double share = 1 - z * z * z * (10 + z * (6 * z - 15));
+    curve[first ? k : curve.size() - 1 - k] += share * missing;
   }
-  return coefficient;
+  return curve;
 }
 
-/// If an end was missed in spite of its weight, adds the deviation to the coefficients there and
-/// fades it out over some knots, over fewer if the curve would leave a joint's limits. If it leaves
-/// them even then, coefficients that are at rest at the end are held there and all are clamped to
-/// the limits, unless that would change the curve by much.
+/// Moves the curve onto an end that it misses in spite of the end's weight. The correction fades
+/// out over kFadeKnots, over fewer if the curve would otherwise leave a joint's limits. If it
+/// leaves them even then, coefficients at rest at the end are set to it and the others are clamped
+/// to the limits. The end stays missed if that changes a coefficient much or does not help.
 void meet_ends(const RobotModel& robot, const JointRows& samples, math::JointSpline& spline) {
-  // a knot's value is the mean of five coefficients
-  constexpr Eigen::Index kFlatKnots = 5, kFadeKnots = 25;
-  constexpr Eigen::Index kMinFadeKnotCount = 5;
-  // coefficients closer to the end count as at rest [rad]
-  constexpr double kRestTolerance_rad = 1e-4;
   const Eigen::Index count = spline.coefficient.rows();
-  const Eigen::Index longest = std::min(kFadeKnots, count / 2 - kFlatKnots);
-  if (longest < 1) return;
-  JointRows there;
+  const Eigen::Index max_fade = std::min<Eigen::Index>(kFadeKnots, count / 2 - kFlatKnots);
+  if (max_fade < 1) return;
+  JointRows q;
   for (const bool first : {true, false}) {
-    math::evaluate(spline, first ? 0 : spline.duration_s, there);
-    const Eigen::RowVectorXd missing = samples.row(first ? 0 : samples.rows() - 1) - there.row(0);
-    const Eigen::Index reach = std::min(spline.intervals, kFlatKnots + longest);
-    const Eigen::Index from = first ? 0 : spline.intervals - reach;
-    for (Eigen::Index joint = 0; joint < missing.size(); ++joint) {
+    math::evaluate(spline, first ? 0 : spline.duration_s, q);
+    const Eigen::RowVectorXd missing = samples.row(first ? 0 : samples.rows() - 1) - q.row(0);
+    const Eigen::Index affected = std::min(spline.intervals, kFlatKnots + max_fade);
+    const Eigen::Index from = first ? 0 : spline.intervals - affected;
+    for (int joint = 0; joint < missing.size(); ++joint) {
       if (std::abs(missing[joint]) <= 2 * kLimitInset_rad) continue;
       const double lower = robot.lower[joint] + 0.5 * kLimitInset_rad,
                    upper = robot.upper[joint] - 0.5 * kLimitInset_rad;
       const auto inside = [&] {
-        return stays_inside(spline, joint, from, from + reach, lower, upper);
+        return stays_inside(spline, joint, from, from + affected, lower, upper);
       };
       const Eigen::VectorXd before = spline.coefficient.col(joint);
       const auto fading = [&](Eigen::Index fade) {
-        spline.coefficient.col(joint) = with_end(before, missing[joint], first, kFlatKnots, fade);
+        spline.coefficient.col(joint) = with_end(before, missing[joint], first, fade);
       };
-      Eigen::Index fade = longest;
+      Eigen::Index fade = max_fade;
       fading(fade);
-      while (!inside() && fade / 2 >= kMinFadeKnotCount) fading(fade /= 2);
+      while (!inside() && fade / 2 >= kMinFadeKnots) fading(fade /= 2);
       if (inside()) continue;
-      fading(longest);
-      for (Eigen::Index k = 0; k < kFlatKnots + longest; ++k) {
+      fading(max_fade);
+      for (Eigen::Index k = 0; k < kFlatKnots + max_fade; ++k) {
         double& c = spline.coefficient(first ? k : count - 1 - k, joint);
-        const double end = there(0, joint) + missing[joint];
+        const double end = q(0, joint) + missing[joint];
         c = k < kFlatKnots && std::abs(c - end) < kRestTolerance_rad ? end
                                                                      : std::clamp(c, lower, upper);
       }
@@ -306,24 +267,24 @@ void meet_ends(const RobotModel& robot, const JointRows& samples, math::JointSpl
 
 PathFit fit_path(const RobotModel& robot, const std::vector<double>& clock,
                  const JointRows& samples, const std::vector<double>& allowance,
-                 const FitTolerance& asked, double step_s) {
-  FitTolerance tolerance = asked;
-  if (asked.tip_m < kMinTolerance && asked.joint_rad < kMinTolerance)
-    tolerance.duration_s = kMinSmoothingDuration_s;
-  tolerance.tip_m = std::max(asked.tip_m, kMinTolerance);
-  tolerance.joint_rad = std::max(asked.joint_rad, kMinTolerance);
-  const TipJacobians leverage = tip_jacobians_of(robot, samples);
+                 const FitTolerance& requested, double step_s) {
+  FitTolerance tolerance = requested;
+  if (requested.tip_m < kMinTolerance && requested.joint_rad < kMinTolerance)
+    tolerance.duration_s = kMinSmoothing_s;
+  tolerance.tip_m = std::max(requested.tip_m, kMinTolerance);
+  tolerance.joint_rad = std::max(requested.joint_rad, kMinTolerance);
+  const TipJacobians tips = tip_jacobians_of(robot, samples);
   PathFit best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int halving = 0; halving <= kMaxStepHalvings && least > 1; ++halving, step_s *= 0.5) {
+  double best_excess = kInfinity;
+  for (int halving = 0; halving <= kMaxStepHalvings && best_excess > 1; ++halving, step_s *= 0.5) {
     PathFit out;
     out.spline.duration_s = clock.back();
     out.spline.intervals = std::max<Eigen::Index>(
         1, static_cast<Eigen::Index>(std::ceil(out.spline.duration_s / step_s - 1e-9)));
     out.spline.coefficient.resize(out.spline.intervals + 5, samples.cols());
-    const double excess = fit(robot, clock, samples, allowance, tolerance, leverage, out);
-    if (excess >= least) break;
-    least = excess;
+    const double excess = fit(robot, clock, samples, allowance, tolerance, tips, out);
+    if (excess >= best_excess) break;
+    best_excess = excess;
     best = std::move(out);
   }
   meet_ends(robot, samples, best.spline);

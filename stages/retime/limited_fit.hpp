@@ -4,22 +4,20 @@
 
 namespace morphe::retime {
 
-/// margin to the joint limits that absorbs rounding [rad]
-inline constexpr double kLimitInset_rad = 1e-7;
-
-/// Adds weight * (form . c)^2 over the six coefficients from `first` on to the normal equations.
+/// Adds the term weight * (form · c)^2 to the normal equations; `form` has six values, for the
+/// coefficients from `first` on.
 void add_form(math::BandedMatrix& normal, Eigen::Index first, double weight, const double* form);
 
 /// Returns a factor of the matrix, with additional damping if rounding made it indefinite.
 math::BandedMatrix factor_damped(const math::BandedMatrix& normal);
 
-/// The multipliers of the Bézier points of one joint's quintic B-spline that left its limits. The
-/// method of multipliers pulls them back onto the limits, beyond the limit by `shift`, the amount
-/// by which they were outside in previous rounds.
+/// The multipliers of the [5 intervals + 1] Bézier points of one joint's quintic B-spline. The
+/// method of multipliers pulls points that left the limits towards a target that is inside the
+/// limit by `shift`, the sum of their excesses in previous rounds. Both vectors are empty before
+/// the first pull.
 struct LimitMultipliers {
-  /// [5 intervals + 1] 1: pulled down onto the upper limit, -1: pulled up onto the lower, 0: free
-  Eigen::VectorXd side;
-  Eigen::VectorXd shift;  ///< [5 intervals + 1] >= 0; both are empty before the first pull
+  Eigen::VectorXd side;   ///< 1: pulled down onto the upper limit, -1: up onto the lower, 0: free
+  Eigen::VectorXd shift;  ///< >= 0 [rad]
 };
 
 /// The least-squares problem of one joint: normal * c = right, with lower <= curve <= upper.
@@ -30,12 +28,11 @@ struct LimitedFit {
   double lower = 0, upper = 0;
 };
 
-/// Solves for coefficients whose curve stays inside the limits to half of kLimitInset_rad, starting
-/// from those of the unconstrained fit. The curve of an interval is inside the convex hull of its
-/// Bézier points, a tighter bound than its coefficients: a path that moves away from a limit at
-/// once has coefficients beyond it, but no such Bézier points. Points that are still outside after
-/// twenty rounds are clamped.
-void solve_within_limits(const LimitedFit& fit, LimitMultipliers& pull,
-                         Eigen::VectorXd& coefficient);
+/// Replaces `solution`, the coefficients of the unconstrained fit, by some whose curve stays inside
+/// the limits to half of kLimitInset_rad. `pull` keeps the multipliers for the next fit. An
+/// interval's curve is inside the hull of its Bézier points. That of its coefficients is wider: it
+/// exceeds a limit at which a path begins and which it leaves at once. If points are still outside
+/// after kMaxPulls rounds, the coefficients of their intervals are clamped.
+void solve_within_limits(const LimitedFit& fit, LimitMultipliers& pull, Eigen::VectorXd& solution);
 
 }  // namespace morphe::retime

@@ -4,19 +4,17 @@
 #include <cmath>
 
 #include "core/motion/geometry.hpp"
+#include "stages/retime/constants.hpp"
 
 namespace morphe::retime {
 namespace {
-
-constexpr double kMinSlope = 1e-12;  ///< slope of the normalised acceleration with respect to x_u
-constexpr int kRootSteps = 60;
 
 /// A bound of a = x_u / 2 and its derivative with respect to x.
 struct Bound {
   double value = 0, slope = 0;
 };
 struct Bounds {
-  Bound most{kInfinity, 0}, least{-kInfinity, 0};
+  Bound upper{kInfinity, 0}, lower{-kInfinity, 0};
 };
 
 /// The constraints |p a + r x| <= 1 of one step, one row for each joint at each of its ends.
@@ -30,18 +28,18 @@ class Step {
     step_ = grid.step;
     for (Eigen::Index k = 0; k < n; ++k) {
       set(k, grid.first(k, i), grid.second(k, i));
-      const double far = grid.second(k, i + 1);
-      set(n + k, grid.first(k, i + 1) + 2 * step_ * far, far);
+      const double far_second = grid.second(k, i + 1);
+      set(n + k, grid.first(k, i + 1) + 2 * step_ * far_second, far_second);
     }
   }
   /// Returns the bounds of a at x such that the next x is in [0, next].
-  Bounds at(double x, double next) const {
+  Bounds bounds_at(double x, double next) const {
     const double half = 0.5 / step_;
     Bounds out{{half * (next - x), -half}, {-half * x, -half}};
     for (Eigen::Index k = 0; k < inverse_.size(); ++k) {
       const double middle = -slope_[k] * x;
-      if (middle + inverse_[k] < out.most.value) out.most = {middle + inverse_[k], -slope_[k]};
-      if (middle - inverse_[k] > out.least.value) out.least = {middle - inverse_[k], -slope_[k]};
+      if (middle + inverse_[k] < out.upper.value) out.upper = {middle + inverse_[k], -slope_[k]};
+      if (middle - inverse_[k] > out.lower.value) out.lower = {middle - inverse_[k], -slope_[k]};
     }
     return out;
   }
@@ -56,18 +54,17 @@ class Step {
   Eigen::ArrayXd inverse_, slope_;
 };
 
-/// Returns the largest x in [0, ceiling] with a feasible a. The width of the interval, most -
-/// least, is concave in x and not negative at 0, so that Newton's method from above never passes
-/// the root.
+/// Returns the largest x in [0, ceiling] with a feasible a. The width upper - lower is concave in x
+/// and not negative at 0, so that Newton's method from above never passes the root.
 double largest_controllable(const Step& step, double ceiling, double next) {
   double x = ceiling;
   for (int k = 0; k < kRootSteps; ++k) {
-    const Bounds at = step.at(x, next);
-    const double room = at.most.value - at.least.value, slope = at.most.slope - at.least.slope;
-    if (room >= 0 || !(slope < 0)) break;
-    const double then = std::max(0.0, x - room / slope);
-    if (!(then < x)) break;
-    x = then;
+    const Bounds a = step.bounds_at(x, next);
+    const double width = a.upper.value - a.lower.value, slope = a.upper.slope - a.lower.slope;
+    if (width >= 0 || !(slope < 0)) break;
+    const double root = std::max(0.0, x - width / slope);
+    if (!(root < x)) break;
+    x = root;
   }
   return x;
 }
@@ -85,7 +82,7 @@ Eigen::VectorXd fastest_squared_velocities(const PathGrid& grid) {
   }
   for (Eigen::Index i = 0; i < steps; ++i) {
     step.load(grid, i);
-    const double a = step.at(x[i], controllable[i + 1]).most.value;
+    const double a = step.bounds_at(x[i], controllable[i + 1]).upper.value;
     x[i + 1] = std::clamp(x[i] + 2 * grid.step * a, 0.0, controllable[i + 1]);
   }
   return x;

@@ -6,21 +6,18 @@ namespace morphe::retime {
 
 /// A path q(u) on a grid of equal steps, with the bounds of the path velocity du/dt.
 struct PathGrid {
-  double step = 1;  ///< step of u, > 0
-  Eigen::ArrayXXd first,
-      second;              ///< [n, N + 1] dq/du and d2q/du2, each divided by the acceleration limit
-  Eigen::ArrayXd ceiling;  ///< [N + 1] upper bound of x = (du/dt)^2, > 0, may be infinite
+  double step = 1;                ///< of u, > 0
+  Eigen::ArrayXXd first, second;  ///< [n, N + 1] dq/du, d2q/du2, each / the acceleration limit
+  Eigen::ArrayXd ceiling;         ///< [N + 1] upper bound of x = (du/dt)^2, > 0, may be infinite
 };
 
-/// Upper bound of the path velocity du/dt.
-inline constexpr double kMaxPathVelocity = 1e4;
-/// Returns x = (du/dt)^2 at the grid points, linear between them, of the fastest motion from rest
-/// to rest:
+/// Returns x = (du/dt)^2 of the fastest motion from rest to rest at the grid points; x is linear
+/// between them. The constraints are
 ///   |q'' x + q' x_u / 2| <= a  and  x <= ceiling
-/// at both ends of every step. Reachability analysis (Pham and Pham, TOPP-RA): the backward pass
-/// finds the largest x from which the motion can still be brought to rest (x = 0 is always
-/// feasible, so that the controllable sets are [0, largest]); the forward pass takes the largest x
-/// that stays in them. No x exceeds kMaxPathVelocity^2.
+/// at both ends of every step. Reachability analysis (Pham and Pham, TOPP-RA): The backward pass
+/// finds, for each grid point, the largest x from which the motion can still be brought to rest; as
+/// x = 0 is always feasible, the controllable set is [0, largest x]. The forward pass takes the
+/// largest x that stays in these sets. No x exceeds kMaxPathVelocity^2.
 Eigen::VectorXd fastest_squared_velocities(const PathGrid& grid);
 
 /// A path velocity profile on a grid, as a function of time.

@@ -25,8 +25,7 @@ void fields(Fields& f, PhaseSpeed& o) {
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const PhaseSpeed& options);
 
-/// The goal of the time parametrisation: the human's timing wherever the limits allow it; the
-/// fastest motion; a given duration; or the human's timing with delays recovered afterwards.
+/// The goal of the time parametrisation, as retime() explains it.
 enum class RetimeMode { human, fastest, duration, catch_up };
 constexpr std::array<std::string_view, 4> names_of(RetimeMode) {
   return {"human", "fastest", "duration", "catch_up"};
@@ -36,11 +35,10 @@ constexpr std::array<std::string_view, 4> names_of(RetimeMode) {
 struct RetimeOptions {
   RetimeMode mode = RetimeMode::human;
   std::optional<double> duration_s;  ///< total duration in mode duration [s]
-  double sample_rate_hz = 500;       ///< of the controller
+  double sample_rate_hz = 500;       ///< rate of the controller
   double limit_scaling = 1;  ///< permitted share of the velocity, acceleration and jerk limits
-  std::optional<double> max_tip_speed;  ///< greatest speed of any tip [m/s]
-  /// scales nominal path velocity, joint and tip speed in a phase
-  std::vector<PhaseSpeed> phase_speed;
+  std::optional<double> max_tip_speed;  ///< [m/s]
+  std::vector<PhaseSpeed> phase_speed;  ///< factors on nominal, joint and tip speed during phases
   double smoothing_s = 0.02;  ///< features of the path shorter than about this are smoothed [s] …
   double tip_tolerance = 2e-4;  ///< … unless a tip moves by more than this [m]; 0 means 1e-5 …
   double joint_tolerance = 1e-3;  ///< … or a joint that moves no tip by more [rad]; 0 means 1e-5
@@ -68,19 +66,18 @@ struct RetimeResult {
   double tip_deviation = 0, joint_deviation = 0;  ///< largest over the path's samples [m], [rad]
 };
 
-/// Computes the time parametrisation of a path: q(u) is a C^4 spline through its samples (within
-/// the tolerances), u(t) respects the velocity, acceleration and jerk limits (an infinite limit
-/// does not bind). The mode determines the timing:
+/// Computes the time parametrisation of a path. q(u) is a C^4 spline through its samples (within
+/// the tolerances); u(t) is such that the velocity, acceleration and jerk limits hold, of which
+/// infinite ones do not bind. The mode determines the timing:
 ///   human     the demonstration's timing wherever the limits allow it, slower elsewhere;
 ///   fastest   the fastest motion within the limits;
 ///   duration  takes duration_s, in the human's proportions as far as the limits allow; any
 ///             duration that is not shorter than the fastest is met;
-///   kept      like human, but delays caused by the limits are recovered afterwards, at up to 1.4
+///   catch_up  like human, but delays caused by the limits are recovered afterwards, at up to 1.4
 ///             times the demonstration's speed, until the timing is the demonstration's again.
 /// The motion starts and ends with velocity and acceleration exactly zero. The limits hold for the
-/// quintics between the samples, not only at the samples: if they are exceeded, the motion is
-/// slowed down until they hold. Refuses with reason path (not a path of this robot), limit or
-/// duration.
+/// quintics between the samples, not only at the samples. Fails with invalid_path (not a path of
+/// this robot), joint_limit or duration_too_short.
 Outcome<RetimeResult> retime(const RobotModel& robot, const JointPath& path,
                              const Movement& movement, const RetimeOptions& options);
 

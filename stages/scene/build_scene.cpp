@@ -1,13 +1,12 @@
 #include "stages/scene/build_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <limits>
-#include <utility>
 
 #include "core/motion/bounding_box.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/infer_objects.hpp"
-#include "stages/scene/other_arm.hpp"
 
 namespace morphe::scene {
 namespace {
@@ -24,18 +23,37 @@ std::string nearest_object(const SceneOptions& options, const std::vector<SceneO
   Vec3 hand = (tips.thumb + tips.index) / 2;
   if (!is_known(hand)) hand = is_known(tips.thumb) ? tips.thumb : tips.index;
   std::string name;
-  double least = std::numeric_limits<double>::infinity();
+  double nearest = kInfinity;
   for (const SceneObject& object : objects) {
     if (object.time.empty() || is_other_arm_part(options, object.name)) continue;
     const Pose pose = recorded_pose(object, grasp.end_s);
     const double distance = (pose.translation() - hand).norm();
-    const double apart = std::min(distance, bounding_box(object, pose).exteriorDistance(hand));
-    if (distance < least && apart < kMaxTipObjectDistance_m) {
-      least = distance;
+    const double gap = std::min(distance, bounding_box(object, pose).exteriorDistance(hand));
+    if (distance < nearest && gap < kMaxTipObjectDistance_m) {
+      nearest = distance;
       name = object.name;
     }
   }
   return name;
+}
+
+/// Returns the frame that an object is relative to; unseen if it does not exist.
+Pose frame_of(ReferenceFrame relative, const WorldFrames& frames) {
+  switch (relative) {
+    case ReferenceFrame::table:
+      return frames.base_from_table;
+    case ReferenceFrame::target:
+      return frames.base_from_target;
+    case ReferenceFrame::shoulder: {
+      Pose shoulder = frames.base_from_world;
+      shoulder.translation() = frames.shoulder;
+      return shoulder;
+    }
+    case ReferenceFrame::base:
+      return Pose::Identity();
+    default:
+      return frames.base_from_world;
+  }
 }
 
 }  // namespace
@@ -43,16 +61,13 @@ std::string nearest_object(const SceneOptions& options, const std::vector<SceneO
 Scene build_scene(const SceneOptions& options, const Demonstration& demonstration,
                   const HumanMotion& motion, Movement& movement) {
   Scene scene;
-  for (const auto* list : {&options.objects, &options.file_objects}) {
-    for (const ConfiguredObject& object : *list) {
-      if (object.relative_to != ReferenceFrame::world) continue;
-      scene.objects.push_back(configured_body(object, movement.begin_s));
-    }
+  for (const ConfiguredObject* object : configured_objects(options)) {
+    if (object->relative_to == ReferenceFrame::world)
+      scene.objects.push_back(configured_body(*object, movement.begin_s));
   }
   std::optional<SceneObject> table;
-  if (!find_object(demonstration.objects, "table")) {
+  if (!find_object(demonstration.objects, "table"))
     table = infer_table(options.table, motion, movement);
-  }
   if (table) scene.objects.push_back(*table);
   for (const SceneObject& object : demonstration.objects) {
     if (!object.time.empty()) scene.objects.push_back(object);
@@ -64,9 +79,8 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
   }
   if (!find_object(demonstration.objects, movement.target)) {
     movement.target = nearest_object(options, demonstration.objects, motion, *grasp);
-    if (movement.target.empty() && find_object(demonstration.objects, options.target.name)) {
+    if (movement.target.empty() && find_object(demonstration.objects, options.target.name))
       movement.target = options.target.name;
-    }
   }
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target) continue;
@@ -84,24 +98,37 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
 }
 
 Scene transform_scene(const Scene& scene, const Pose& base_from_world) {
-  Scene moved = scene;
-  const Quat turn(base_from_world.linear());
-  for (SceneObject& object : moved.objects) {
+  Scene transformed = scene;
+  const Quat rotation(base_from_world.linear());
+  for (SceneObject& object : transformed.objects) {
     for (Vec3& position : object.position) position = base_from_world * position;
-    for (Quat& orientation : object.orientation) orientation = (turn * orientation).normalized();
+    for (Quat& quat : object.orientation) quat = (rotation * quat).normalized();
   }
-  return moved;
+  return transformed;
+}
+
+std::string add_relative_objects(const SceneOptions& options, const WorldFrames& frames,
+                                 double time_s, Scene& scene) {
+  for (const ConfiguredObject* configured : configured_objects(options)) {
+    if (configured->relative_to == ReferenceFrame::world) continue;
+    const Pose base_from_frame = frame_of(configured->relative_to, frames);
+    if (!is_known(base_from_frame)) {
+      return fmt::format("{} is placed relative to the {}, which does not exist in this movement",
+                         configured->name, name_of(configured->relative_to));
+    }
+    SceneObject& object = scene.objects.emplace_back(configured_body(*configured, time_s));
+    object.position[0] = base_from_frame * object.position[0];
+    object.orientation[0] = (Quat(base_from_frame.linear()) * object.orientation[0]).normalized();
+  }
+  return "";
 }
 
 std::vector<std::string> mapping_obstacles(const SceneOptions& options, const Scene& scene) {
   std::vector<std::string> names;
   if (find_object(scene.objects, "table")) names.push_back("table");
-  for (const auto* list : {&options.objects, &options.file_objects}) {
-    for (const ConfiguredObject& object : *list) {
-      if (object.avoid_in_mapping && find_object(scene.objects, object.name)) {
-        names.push_back(object.name);
-      }
-    }
+  for (const ConfiguredObject* object : configured_objects(options)) {
+    if (object->avoid_in_mapping && find_object(scene.objects, object->name))
+      names.push_back(object->name);
   }
   return names;
 }

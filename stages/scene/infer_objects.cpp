@@ -1,52 +1,47 @@
 #include "stages/scene/infer_objects.hpp"
-#include "core/motion/bounding_box.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/math/statistics.hpp"
-#include "core/motion/human_motion.hpp"
-#include "core/motion/movement.hpp"
+#include "core/motion/bounding_box.hpp"
 #include "stages/scene/configured_body.hpp"
 
 namespace morphe::scene {
 namespace {
 
 struct Extent {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 low = Vec3::Constant(kInfinity), high = Vec3::Constant(-kInfinity);
   void add(const Vec3& point) {
     if (!is_known(point)) return;
     low = low.cwiseMin(point);
     high = high.cwiseMax(point);
   }
+  void add_tips(const HumanMotion& motion, int frame) {
+    if (motion.tip.rows != motion.time.size()) return;
+    for (std::size_t k = 0; k < motion.tip.cols; ++k) add(motion.tip(frame, k));
+  }
   bool empty() const { return !low.allFinite(); }
 };
 
-bool has_tips(const HumanMotion& motion) { return motion.tip.rows == motion.time.size(); }
-
 Extent planned_tips(const HumanMotion& motion, const Movement& movement) {
   Extent extent;
-  if (!has_tips(motion)) return extent;
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     if (motion.time[i] < movement.begin_s - kTimeTolerance_s) continue;
     if (motion.time[i] > movement.end_s + kTimeTolerance_s) continue;
-    for (std::size_t k = 0; k < motion.tip.cols; ++k) extent.add(motion.tip(i, k));
+    extent.add_tips(motion, i);
   }
   return extent;
 }
 
 /// Returns the least y of tips and wrist in the first frame of the movement in which one is seen.
 double hand_front(const HumanMotion& motion, const Movement& movement) {
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     if (motion.time[i] < movement.begin_s - kTimeTolerance_s) continue;
     Extent hand;
     if (motion.wrist.size() == motion.time.size()) hand.add(motion.wrist[i]);
-    if (has_tips(motion)) {
-      for (std::size_t k = 0; k < motion.tip.cols; ++k) hand.add(motion.tip(i, k));
-    }
+    hand.add_tips(motion, i);
     if (!hand.empty()) return hand.low.y();
   }
   return kUnknown;
@@ -54,7 +49,7 @@ double hand_front(const HumanMotion& motion, const Movement& movement) {
 
 std::optional<double> resting_height(const HumanMotion& motion, double percentile) {
   std::vector<double> heights;
-  if (!has_tips(motion)) return std::nullopt;
+  if (motion.tip.rows != motion.time.size()) return std::nullopt;
   for (const Vec3& tip : motion.tip.values) {
     if (is_known(tip)) heights.push_back(tip.z());
   }
@@ -107,12 +102,12 @@ std::optional<SceneObject> infer_table(const TableOptions& options, const HumanM
 
 GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
   GraspTips tips{unknown_point(), unknown_point()};
-  if (!has_tips(motion) || motion.tip.cols <= kIndex) return tips;
-  const double half_s = (grasp.begin_s + grasp.end_s) / 2;
+  if (motion.tip.rows != motion.time.size() || motion.tip.cols <= kIndex) return tips;
+  const double middle_s = (grasp.begin_s + grasp.end_s) / 2;
   const auto mean = [&](std::size_t finger, double from_s) -> Vec3 {
     Vec3 sum = Vec3::Zero();
     double count = 0;
-    for (std::size_t i = 0; i < motion.time.size(); ++i) {
+    for (int i = 0; i < std::ssize(motion.time); ++i) {
       const bool inside = motion.time[i] >= from_s - kTimeTolerance_s &&
                           motion.time[i] <= grasp.end_s + kTimeTolerance_s;
       if (!inside || !is_known(motion.tip(i, finger))) continue;
@@ -122,7 +117,7 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
     return count > 0 ? Vec3(sum / count) : unknown_point();
   };
   // A tip hidden while the hand closes takes its position on arrival, when it is already slow.
-  for (const double from_s : {half_s, grasp.begin_s, grasp.begin_s - 0.1}) {
+  for (const double from_s : {middle_s, grasp.begin_s, grasp.begin_s - 0.1}) {
     if (!is_known(tips.thumb)) tips.thumb = mean(kThumb, from_s);
     if (!is_known(tips.index)) tips.index = mean(kIndex, from_s);
   }
@@ -141,16 +136,16 @@ double table_top_height(const SceneObject& table) {
   return table.position[0].z() + table.size[2] / 2;
 }
 
-/// Returns the position of the body's frame: the foot on the table, grasp_point below the midpoint
-/// between the tips.
-Vec3 position_between_tips(const TargetBody& body, const SceneObject& object, const Quat& turn,
-                           const Vec3& between, std::optional<double> foot) {
-  const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3::Zero(), turn));
+/// Returns the position of the body's frame, with grasp_point below the midpoint between the tips
+/// and the lowest point at height `foot`; without that, the centre is at the midpoint's height.
+Vec3 position_between_tips(const TargetBody& body, const SceneObject& object, const Quat& rotation,
+                           const Vec3& midpoint, std::optional<double> foot) {
+  const Eigen::AlignedBox3d extent = bounding_box(object, make_pose(Vec3::Zero(), rotation));
   const Vec3 held = body.grasp_point.empty()
                         ? Vec3(extent.center())
-                        : turn * Vec3(body.grasp_point[0], body.grasp_point[1], 0);
-  const double height = foot ? *foot - extent.min().z() : between.z() - extent.center().z();
-  return {between.x() - held.x(), between.y() - held.y(), height};
+                        : rotation * Vec3(body.grasp_point[0], body.grasp_point[1], 0);
+  const double height = foot ? *foot - extent.min().z() : midpoint.z() - extent.center().z();
+  return {midpoint.x() - held.x(), midpoint.y() - held.y(), height};
 }
 
 SceneObject make_target_body(const TargetOptions& options, const Movement& movement,
@@ -174,18 +169,17 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
   const GraspTips tips = tips_at_grasp(motion, *grasp);
   if (!is_known(tips.thumb) || !is_known(tips.index)) return std::nullopt;
   if (options.body) return make_target_body(options, movement, *grasp, tips, table);
-  const double apart = (tips.thumb - tips.index).head<2>().norm();
-  const double radius = options.radius ? *options.radius
-                                       : std::clamp(apart / 2 - options.pad_depth,
-                                                    options.min_radius, options.max_radius);
+  const double aperture = (tips.thumb - tips.index).head<2>().norm();
+  const double radius = options.radius.value_or(
+      std::clamp(aperture / 2 - options.pad_depth, options.min_radius, options.max_radius));
   const double highest = std::max(tips.thumb.z(), tips.index.z());
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
   const double foot = table ? table_top_height(*table) : middle - options.height / 2;
   const double height = std::max(options.height, highest + options.rim_margin - foot);
-  const Vec3 between = (tips.thumb + tips.index) / 2;
+  const Vec3 midpoint = (tips.thumb + tips.index) / 2;
   SceneObject target =
       fixed_body(options.name, Shape::cylinder, {radius, height},
-                 Vec3(between.x(), between.y(), foot + height / 2), movement.begin_s);
+                 Vec3(midpoint.x(), midpoint.y(), foot + height / 2), movement.begin_s);
   set_attachment_times(movement, *grasp, target);
   return target;
 }

@@ -2,27 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/math/rotation.hpp"
-#include "core/motion/human_motion.hpp"
-#include "core/motion/movement.hpp"
 #include "stages/scene/configured_body.hpp"
 #include "stages/scene/infer_objects.hpp"
 
 namespace morphe::scene {
 namespace {
 
-/// A rotation of a body about its centre and a translation.
+/// A rotation of a body about its centre and a translation, of which a share w is applied.
 struct RigidDisplacement {
   Vec3 centre = Vec3::Zero(), translation = Vec3::Zero();
   Quat rotation = Quat::Identity();
 
-  Quat turn_at(double w) const { return Quat::Identity().slerp(w, rotation); }
+  Quat rotation_at(double w) const { return Quat::Identity().slerp(w, rotation); }
   Vec3 moved(const Vec3& x, double w) const {
-    return turn_at(w) * (x - centre) + centre + w * translation;
+    return rotation_at(w) * (x - centre) + centre + w * translation;
   }
 };
 
@@ -40,30 +37,31 @@ RigidDisplacement target_displacement(const TargetOptions& options, const Pose& 
   return shift;
 }
 
-/// Returns the share of the wrist's path length from begin to end at each frame, or of the time if
-/// the wrist was not seen.
+/// Returns, for each frame, the travelled share of the wrist's path from begin_s to end_s, or the
+/// elapsed share of the time if the wrist was not seen; 0 before and 1 after.
 std::vector<double> wrist_path_shares(const HumanMotion& motion, double begin_s, double end_s) {
-  std::vector<double> way(motion.time.size(), 0.0);
+  std::vector<double> shares(motion.time.size(), 0.0);
   double path_length_m = 0;
   Vec3 last = unknown_point();
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (int i = 0; i < std::ssize(shares); ++i) {
     if (motion.time[i] >= begin_s && motion.time[i] <= end_s && is_known(motion.wrist[i])) {
       if (is_known(last)) path_length_m += (motion.wrist[i] - last).norm();
       last = motion.wrist[i];
     }
-    way[i] = path_length_m;
+    shares[i] = path_length_m;
   }
-  for (std::size_t i = 0; i < way.size(); ++i) {
+  for (int i = 0; i < std::ssize(shares); ++i) {
     const double time_share = (motion.time[i] - begin_s) / (end_s - begin_s);
-    way[i] = motion.time[i] >= end_s     ? 1
-             : motion.time[i] <= begin_s ? 0
-             : path_length_m > 0         ? way[i] / path_length_m
-                                         : time_share;
+    shares[i] = motion.time[i] >= end_s     ? 1
+                : motion.time[i] <= begin_s ? 0
+                : path_length_m > 0         ? shares[i] / path_length_m
+                                            : time_share;
   }
-  return way;
+  return shares;
 }
 
-/// Moves the elbow after the wrist has moved; returns false if the arm does not reach that far.
+/// Moves the elbow after the wrist has moved. Returns false if the wrist is nearer to or farther
+/// from the shoulder than the bones allow.
 bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wrist, Vec3& elbow) {
   const Vec3 before = from_wrist - shoulder, after = to_wrist - shoulder;
   const double upper_arm = (elbow - shoulder).norm(), forearm = (from_wrist - elbow).norm();
@@ -85,9 +83,9 @@ bool move_elbow(const Vec3& shoulder, const Vec3& from_wrist, const Vec3& to_wri
 void move_frame(const RigidDisplacement& shift, double w, std::size_t i, HumanMotion& motion,
                 int& out_of_reach) {
   const auto point = [&](Vec3& x) { x = shift.moved(x, w); };
-  const auto rotation = [&](Quat& q) { q = (shift.turn_at(w) * q).normalized(); };
-  const auto row = [&](auto& table, const auto& move) {
-    for (std::size_t k = 0; table.rows > i && k < table.cols; ++k) move(table(i, k));
+  const auto rotation = [&](Quat& q) { q = (shift.rotation_at(w) * q).normalized(); };
+  const auto row = [&](auto& array, const auto& move) {
+    for (std::size_t k = 0; array.rows > i && k < array.cols; ++k) move(array(i, k));
   };
   const Vec3 wrist = motion.wrist[i];
   point(motion.wrist[i]);
@@ -105,9 +103,9 @@ void move_frame(const RigidDisplacement& shift, double w, std::size_t i, HumanMo
 RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& motion,
                               const Movement& movement, const Scene& scene) {
   RelocatedMovement out{motion, scene};
-  const bool asked = options.target.pose || options.target.pose_offset.position != Vec3::Zero() ||
-                     options.target.pose_offset.rpy != Vec3::Zero();
-  if (!asked) return out;
+  const TargetPoseOffset& offset = options.target.pose_offset;
+  if (!options.target.pose && offset.position == Vec3::Zero() && offset.rpy == Vec3::Zero())
+    return out;
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   SceneObject* target = find_object(out.scene.objects, movement.target);
   if (!grasp || !target) {
@@ -117,13 +115,12 @@ RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& mo
   const RigidDisplacement shift =
       target_displacement(options.target, recorded_pose(*target, grasp->begin_s));
   for (Vec3& position : target->position) position = shift.moved(position, 1);
-  for (Quat& orientation : target->orientation) {
+  for (Quat& orientation : target->orientation)
     orientation = (shift.rotation * orientation).normalized();
-  }
 
   const std::vector<double> share = wrist_path_shares(motion, movement.begin_s, grasp->begin_s);
   int out_of_reach = 0;
-  for (std::size_t i = 0; i < share.size(); ++i) {
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     const double s = share[i];
     if (s <= 0 || motion.time[i] > movement.end_s) continue;
     const double w = s * s * s * (10 - 15 * s + 6 * s * s);

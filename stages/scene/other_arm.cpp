@@ -17,18 +17,13 @@ namespace {
 
 using Points = std::vector<Vec3>;
 
-constexpr std::array<const char*, 3> kNames = {"other upper arm", "other forearm", "other hand"};
-// Ratio of shares of the stature, Drillis and Contini.
-constexpr double kHandForearmRatio = 0.108 / 0.146;
+constexpr double kHandForearmRatio = 0.108 / 0.146;    // shares of the stature, Drillis and Contini
 constexpr double kDefaultHandLength_m = 0.108 * 1.70;  // for a stature of 1.70 m
 constexpr double kMinBoneLength_m = 1e-6;              // length below which joints coincide
 constexpr std::string_view kOtherArmLabel = "the person's other arm";
 
-bool any_seen(const Points& points) {
-  return std::ranges::any_of(points, [](const Vec3& point) { return is_known(point); });
-}
-
-/// Returns the mean of the fingertips in a frame; the thumb only if no other tip is seen.
+/// Returns the mean of the tips seen in a frame, without the thumb's; if no other is seen, the
+/// thumb's.
 Vec3 middle_of_tips(const HumanMotion& motion, std::size_t frame) {
   if (motion.tip.rows <= frame) return unknown_point();
   Vec3 sum = Vec3::Zero();
@@ -42,30 +37,29 @@ Vec3 middle_of_tips(const HumanMotion& motion, std::size_t frame) {
   return motion.tip.cols > kThumb ? motion.tip(frame, kThumb) : unknown_point();
 }
 
-/// Returns the end of the hand in each frame.
+/// Returns the far end of the hand in each frame, unseen if no direction of the hand is known.
 Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
   const std::size_t frames = motion.time.size();
   Points ends(frames);
   for (std::size_t i = 0; i < frames; ++i) ends[i] = middle_of_tips(motion, i);
-  // NaN if the two were never seen together.
-  const double seen_m = math::median_distance(motion.wrist, ends);
+  const double seen_m = math::median_distance(motion.wrist, ends);  // NaN if never seen together
   const double forearm_m = math::median_distance(motion.elbow, motion.wrist);
   const double length_m = std::isfinite(seen_m)      ? seen_m
                           : std::isfinite(forearm_m) ? kHandForearmRatio * forearm_m
                                                      : kDefaultHandLength_m;
-  std::size_t as_turned = 0, straight = 0;
+  int oriented = 0, straight = 0;
   for (std::size_t i = 0; i < frames; ++i) {
     if (is_known(ends[i]) || !is_known(motion.wrist[i])) continue;
     const Vec3 along = motion.wrist[i] - motion.elbow[i];
     if (is_known(motion.wrist_orientation[i])) {
       ends[i] = motion.wrist[i] + motion.wrist_orientation[i] * Vec3(0, 0, length_m);
-      ++as_turned;
+      ++oriented;
     } else if (along.norm() > kMinBoneLength_m) {
       ends[i] = motion.wrist[i] + length_m * along.normalized();
       ++straight;
     }
   }
-  for (const auto& [count, how] : {std::pair{as_turned, "along the hand's orientation"},
+  for (const auto& [count, how] : {std::pair{oriented, "along the hand's orientation"},
                                    std::pair{straight, "in line with its forearm"}}) {
     if (count == 0) continue;
     notes.push_back(
@@ -75,14 +69,13 @@ Points hand_ends(const HumanMotion& motion, std::vector<std::string>& notes) {
   return ends;
 }
 
-/// Adds a note on the number of the recording's frames in which a body has no pose of its own.
+/// Adds a note on the frames of the recording in which a body has no pose of its own.
 void note_gaps(const SceneObject& body, const std::vector<double>& time,
                std::vector<std::string>& notes) {
   if (body.time.size() == time.size()) return;
   double longest_s = std::max(body.time.front() - time.front(), time.back() - body.time.back());
-  for (std::size_t k = 1; k < body.time.size(); ++k) {
+  for (int k = 1; k < std::ssize(body.time); ++k)
     longest_s = std::max(longest_s, body.time[k] - body.time[k - 1]);
-  }
   notes.push_back(
       fmt::format("{}: not seen in {} of {} frames, for up to {:.2f} s: interpolated linearly "
                   "between, and held before the first and after the last",
@@ -99,8 +92,8 @@ SceneObject capsule_between(const char* name, double radius_m, const std::vector
   if (std::isnan(length_m)) return body;
   body.size = {radius_m, length_m};
   double longest_m = 0;
-  Quat turn = Quat::Identity();  // shortest rotation from frame to frame
-  for (std::size_t i = 0; i < time.size(); ++i) {
+  Quat turn = Quat::Identity();  // of z to the bone, by the shortest rotation from frame to frame
+  for (int i = 0; i < std::ssize(time); ++i) {
     const Vec3 along = to[i] - from[i];
     if (!(along.norm() > kMinBoneLength_m)) continue;
     turn = (math::shortest_rotation(turn * Vec3::UnitZ(), along) * turn).normalized();
@@ -134,7 +127,10 @@ void note_estimates(const HumanMotion& motion, std::vector<std::string>& notes) 
 
 std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const HumanMotion& other,
                                             std::vector<std::string>& notes) {
-  if (!any_seen(other.shoulder) && !any_seen(other.elbow) && !any_seen(other.wrist)) {
+  const auto unseen = [](const Points& points) {
+    return std::ranges::none_of(points, [](const Vec3& point) { return is_known(point); });
+  };
+  if (unseen(other.shoulder) && unseen(other.elbow) && unseen(other.wrist)) {
     notes.push_back(fmt::format("{} was not recorded: it is not an obstacle", kOtherArmLabel));
     return {};
   }
@@ -143,21 +139,17 @@ std::vector<SceneObject> other_arm_capsules(const SceneOptions& options, const H
   const std::array<std::array<const Points*, 2>, 3> bones = {
       {{&other.shoulder, &other.elbow}, {&other.elbow, &other.wrist}, {&other.wrist, &ends}}};
   std::vector<SceneObject> capsules;
-  for (std::size_t k = 0; k < bones.size(); ++k) {
+  for (int k = 0; k < std::ssize(bones); ++k) {
     const auto& [from, to] = bones[k];
-    SceneObject body =
-        capsule_between(kNames[k], options.other_arm_radii[k], other.time, *from, *to, notes);
+    SceneObject body = capsule_between(kOtherArmNames[k], options.other_arm_radii[k], other.time,
+                                       *from, *to, notes);
     if (body.time.empty()) {
-      notes.push_back(fmt::format("{} was not recorded: it is not an obstacle", kNames[k]));
+      notes.push_back(fmt::format("{} was not recorded: it is not an obstacle", kOtherArmNames[k]));
     } else {
       capsules.push_back(std::move(body));
     }
   }
   return capsules;
-}
-
-bool is_other_arm_part(const SceneOptions& options, const std::string& name) {
-  return options.other_arm && std::ranges::find(kNames, name) != kNames.end();
 }
 
 }  // namespace morphe::scene

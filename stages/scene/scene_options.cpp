@@ -1,3 +1,5 @@
+#include "stages/scene/scene_options.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +10,6 @@
 #include "core/motion/bounding_box.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/moveit/planning_scene.hpp"
-#include "stages/scene/other_arm.hpp"
-#include "stages/scene/scene_options.hpp"
 #include "stages/scene/scene_schema.hpp"
 
 namespace morphe::scene {
@@ -23,23 +23,23 @@ void fields(Fields& f, SceneFile& o) {
   f.required("objects", o.objects);
 }
 
-/// Limits on the size of a mesh beyond which its unit is probably wrong and its scale is requested.
+/// Limits of the longest side of a mesh, beyond which its unit is probably wrong.
 constexpr double kLargestObject_m = 5, kLargestTarget_m = 0.5, kSmallestMesh_m = 0.0005;
-/// Limit on positions relative to their reference frame, which only coordinates in mm exceed.
+/// Largest distance from the reference frame, which only coordinates in mm exceed.
 constexpr double kMaxPosition_m = 20;
 
 std::string mesh_size_error(const std::string& file, const SceneObject& mesh, double scale,
                             bool scale_given, double largest_m) {
-  const double long_m = bounding_box(mesh, Pose::Identity()).sizes().maxCoeff();
-  if (!scale_given && long_m > largest_m) {
+  const double length_m = bounding_box(mesh, Pose::Identity()).sizes().maxCoeff();
+  if (!scale_given && length_m > largest_m) {
     return fmt::format(
         "{} is {:.4g} m long: give scale: 0.001 if its numbers are mm ({:.4g} m), scale: 0.0254 if "
         "they are inches ({:.4g} m), scale: 1 if they are m",
-        file, long_m, 0.001 * long_m, 0.0254 * long_m);
+        file, length_m, 0.001 * length_m, 0.0254 * length_m);
   }
-  if (scale != 1 && long_m < kSmallestMesh_m) {
+  if (scale != 1 && length_m < kSmallestMesh_m) {
     return fmt::format("{} is {:.2g} mm long with scale: {}: omit scale if its numbers are m", file,
-                       1e3 * long_m, scale);
+                       1e3 * length_m, scale);
   }
   return "";
 }
@@ -49,22 +49,21 @@ template <class Options>
 void load_mesh_of(const config::ConfigNode& node, double largest_m, Options& options) {
   if (options.file.empty()) return;
   const config::ConfigNode file = node["file"];
-  std::string wrong = collision::load_mesh(file.folder() / options.file, options.scale,
+  std::string error = collision::load_mesh(file.folder() / options.file, options.scale,
                                            options.shape == "convex", options.mesh);
-  if (wrong.empty()) {
-    wrong =
+  if (error.empty()) {
+    error =
         mesh_size_error(options.file, options.mesh, options.scale, node.has("scale"), largest_m);
   }
-  if (!wrong.empty()) file.fail(wrong);
+  if (!error.empty()) file.fail(error);
 }
 
 void load_meshes(const config::ConfigNode& list, std::vector<ConfiguredObject>& objects) {
   const std::vector<config::ConfigNode> nodes = list.items();
-  for (std::size_t k = 0; k < objects.size(); ++k)
+  for (int k = 0; k < std::ssize(objects); ++k)
     load_mesh_of(nodes[k], kLargestObject_m, objects[k]);
 }
 
-/// Returns the objects of a planning scene as configured objects.
 std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) {
   std::vector<ConfiguredObject> objects;
   for (const SceneObject& object : moveit::read_moveit_scene(file).objects) {
@@ -77,17 +76,6 @@ std::vector<ConfiguredObject> moveit_objects(const std::filesystem::path& file) 
     configured.mesh = object;
   }
   return objects;
-}
-
-std::size_t size_parameter_count(Shape shape) {
-  switch (shape) {
-    case Shape::sphere:
-      return 1;
-    case Shape::box:
-      return 3;
-    default:
-      return 2;
-  }
 }
 
 /// Returns the error in shape, size, file and scale, or "".
@@ -105,9 +93,10 @@ std::string shape_error(const Options& o) {
                        o.shape);
   }
   if (!o.file.empty()) return fmt::format("file: not allowed for a {}", o.shape);
-  if (o.size.size() != size_parameter_count(*shape)) {
-    return fmt::format("size: a {} needs {}, not {}", o.shape,
-                       count_with_noun(size_parameter_count(*shape), "number"), o.size.size());
+  const std::size_t count = *shape == Shape::sphere ? 1 : *shape == Shape::box ? 3 : 2;
+  if (o.size.size() != count) {
+    return fmt::format("size: a {} needs {}, not {}", o.shape, count_with_noun(count, "number"),
+                       o.size.size());
   }
   for (const double length : o.size) {
     if (!(length > 0)) return fmt::format("size: must be positive, not {}", length);
@@ -124,8 +113,8 @@ config::Schema scene_schema(const config::KeyDescriptions& meanings) {
 std::string validation_error(const ConfiguredObject& o) {
   if (o.name.empty()) return "name: must not be empty";
   if (o.name == "table") return "name: 'table' is the table of scene.table";
-  if (const double far_m = o.position.norm(); far_m > kMaxPosition_m) {
-    return fmt::format("position: is {:.4g} m from the {}: positions are in m", far_m,
+  if (const double distance_m = o.position.norm(); distance_m > kMaxPosition_m) {
+    return fmt::format("position: is {:.4g} m from the {}: positions are in m", distance_m,
                        name_of(o.relative_to));
   }
   return shape_error(o);
@@ -157,39 +146,43 @@ std::string validation_error(const TargetOptions& o) {
   if (!(o.height > 0)) return fmt::format("height: must be positive, not {}", o.height);
   if (!(o.min_radius > 0)) return fmt::format("min_radius: must be positive, not {}", o.min_radius);
   if (o.max_radius < o.min_radius) return "max_radius: must not be below min_radius";
-  if (o.radius && !(*o.radius > 0)) {
+  if (o.radius && !(*o.radius > 0))
     return fmt::format("radius: must be positive, not {}", *o.radius);
-  }
   if (o.radius && o.body) return "radius: not allowed together with body, which has its own size";
   if (o.pad_depth < 0) return "pad_depth: must not be negative";
   if (o.rim_margin < 0) return "rim_margin: must not be negative";
-  if (o.pose && (o.pose_offset.position != Vec3::Zero() || o.pose_offset.rpy != Vec3::Zero())) {
+  if (o.pose && (o.pose_offset.position != Vec3::Zero() || o.pose_offset.rpy != Vec3::Zero()))
     return "pose: not allowed together with pose_offset";
-  }
   return "";
+}
+
+std::vector<const ConfiguredObject*> configured_objects(const SceneOptions& options) {
+  std::vector<const ConfiguredObject*> objects;
+  for (const ConfiguredObject& object : options.objects) objects.push_back(&object);
+  for (const ConfiguredObject& object : options.file_objects) objects.push_back(&object);
+  return objects;
+}
+
+bool is_other_arm_part(const SceneOptions& options, const std::string& name) {
+  return options.other_arm && std::ranges::find(kOtherArmNames, name) != kOtherArmNames.end();
 }
 
 std::string validation_error(const SceneOptions& o) {
   const std::vector<double>& radii = o.other_arm_radii;
-  if (radii.size() != 3 || std::ranges::any_of(radii, [](double r) { return !(r > 0); })) {
+  if (radii.size() != 3 || std::ranges::any_of(radii, [](double r) { return !(r > 0); }))
     return "other_arm_radii: needs three positive radii: of upper arm, forearm and hand";
-  }
-  if (is_other_arm_part(o, o.target.name)) {
+  if (is_other_arm_part(o, o.target.name))
     return fmt::format("target: the name '{}' is used by the other arm", o.target.name);
-  }
   std::set<std::string> names;
   if (o.target.infer) names.insert(o.target.name);
-  for (const auto* list : {&o.objects, &o.file_objects}) {
-    for (const ConfiguredObject& object : *list) {
-      if (!names.insert(object.name).second || is_other_arm_part(o, object.name)) {
-        return fmt::format("objects: the name '{}' is already used", object.name);
-      }
-      if (object.relative_to == ReferenceFrame::table && !o.table.infer && !o.table.height) {
-        return fmt::format(
-            "objects: {} is relative_to: table, but table.infer is false: give table.height, or "
-            "another relative_to",
-            object.name);
-      }
+  for (const ConfiguredObject* object : configured_objects(o)) {
+    if (!names.insert(object->name).second || is_other_arm_part(o, object->name))
+      return fmt::format("objects: the name '{}' is already used", object->name);
+    if (object->relative_to == ReferenceFrame::table && !o.table.infer && !o.table.height) {
+      return fmt::format(
+          "objects: {} is relative_to: table, but table.infer is false: give table.height, or "
+          "another relative_to",
+          object->name);
     }
   }
   return "";
@@ -214,7 +207,7 @@ void load_file(SceneOptions& options, const config::ConfigNode& node) {
     load_meshes(root["objects"], file.objects);
     options.file_objects = std::move(file.objects);
   }
-  if (const std::string wrong = validation_error(options); !wrong.empty()) root.fail(wrong);
+  if (const std::string error = validation_error(options); !error.empty()) root.fail(error);
 }
 
 }  // namespace
@@ -227,10 +220,8 @@ void load_scene_files(SceneOptions& options, const config::ConfigNode& node) {
     load_mesh_of(node["target"]["body"], kLargestTarget_m, *options.target.body);
     collision::add_to_cache(options.target.body->mesh, options.meshes);
   }
-  for (const auto* list : {&options.objects, &options.file_objects}) {
-    for (const ConfiguredObject& object : *list)
-      collision::add_to_cache(object.mesh, options.meshes);
-  }
+  for (const ConfiguredObject* object : configured_objects(options))
+    collision::add_to_cache(object->mesh, options.meshes);
 }
 
 }  // namespace morphe::scene

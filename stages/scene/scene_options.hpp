@@ -12,7 +12,8 @@
 
 namespace morphe::scene {
 
-/// The frame that an object's pose is relative to, at its pose when the movement begins:
+/// The frame that an object's pose is relative to. A frame that moves is taken where it is when the
+/// movement begins.
 ///   world     the recording's frame: X right, Y forward, Z up, origin as in the recording
 ///   table     centre and axes of the table's top; the axes are the world's if it is inferred
 ///   target    centre and axes of the grasped object
@@ -24,17 +25,16 @@ constexpr std::array<std::string_view, 5> names_of(ReferenceFrame) {
   return {"world", "table", "target", "shoulder", "base"};
 }
 
-/// The point of an object that `position` refers to: its own origin (the centre of a shape, the
-/// origin of a file's coordinates), or its foot, that is in its final orientation the middle of its
-/// extent in x and y and its lowest point in z.
+/// The point of an object that `position` refers to:
+///   origin         the centre of a shape, or the origin of a file's coordinates
+///   bottom_centre  in its final orientation, the middle of its extent in x and y at its lowest z
 enum class Anchor { origin, bottom_centre };
 /// Returns the names of the anchors in configurations.
 constexpr std::array<std::string_view, 2> names_of(Anchor) { return {"origin", "bottom_centre"}; }
 
 /// A fixed object of the configuration.
 struct ConfiguredObject {
-  /// Unique name of the object.
-  std::string name;
+  std::string name;           ///< unique
   std::string shape = "box";  ///< sphere | box | cylinder | capsule | convex | mesh
   std::vector<double> size;   ///< sphere: r; box: x y z; cylinder, capsule: r, length [m]
   /// STL or OBJ file of a mesh, relative to the file that names it; for convex, the hull is used.
@@ -46,7 +46,7 @@ struct ConfiguredObject {
   Vec3 rpy = Vec3::Zero();                             ///< Rz(yaw) Ry(pitch) Rx(roll) [rad]
   bool avoid_in_mapping = true;  ///< true if the mapping's clearance term includes it
 
-  SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
+  SceneObject mesh;  ///< read from `file` by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, ConfiguredObject& o) {
@@ -69,8 +69,8 @@ std::string validation_error(const ConfiguredObject& object);
 struct TableOptions {
   bool infer = true;             ///< false without `height` disables the table
   std::optional<double> height;  ///< height of its top; overrides the inferred height [m]
-  /// The tips' resting height is this percentile of all heights in the recording, so that a single
-  /// outlier has no effect.
+  /// The tips' resting height is this percentile of the heights of all tips in the recording, so
+  /// that a single outlier has no effect.
   double resting_height_percentile = 5;
   /// Least distance of the top below the resting height and below every planned tip goal, since a
   /// tip goal is on the finger's axis (the robot's finger radius 0.011 plus a millimetre) [m].
@@ -78,8 +78,7 @@ struct TableOptions {
   /// Thin, so that deep penetration is detected, and thick enough that a finger cannot pass through
   /// it between two samples [m].
   double thickness = 0.04;
-  /// Least extent in x, y; grows in all directions but the front.
-  std::vector<double> size = {1.2, 0.8};
+  std::vector<double> size = {1.2, 0.8};  ///< least extent in x, y; the front edge does not move
   /// Distance of the front edge before the hand (wrist or tips, whichever is nearer to the chest)
   /// at the start, so that the elbow hangs beside the table, not above it [m].
   double front_margin = 0.05;
@@ -101,18 +100,15 @@ std::string validation_error(const TableOptions& options);
 
 /// A pose of the target that replaces the recorded one: see stages/scene/move_target.hpp.
 struct TargetPose {
-  /// Position of its centre at the start of the grasp, in the world [m].
-  Vec3 position = Vec3::Zero();
-  /// Orientation of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad].
-  Vec3 rpy = Vec3::Zero();
+  Vec3 position = Vec3::Zero();  ///< of its centre at the start of the grasp, in the world [m]
+  Vec3 rpy = Vec3::Zero();       ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
 };
 template <class Fields>
 void fields(Fields& f, TargetPose& o) {
   f.required("position", o.position);
   f("rpy", o.rpy);
 }
-/// A displacement of the target from its recorded pose: a translation, and a rotation about its
-/// centre.
+/// A displacement of the target from its recorded pose; the rotation is about its centre.
 struct TargetPoseOffset {
   Vec3 position = Vec3::Zero();  ///< translation along the world's axes [m]
   Vec3 rpy = Vec3::Zero();       ///< rotation about the world's axes [rad]
@@ -127,17 +123,16 @@ void fields(Fields& f, TargetPoseOffset& o) {
 /// at the grasp. A recorded target gets this shape too, in its recorded frame; grasp_point and rpy
 /// apply only to a target that was not recorded.
 struct TargetBody {
-  std::string shape = "mesh";  ///< shape, size [m], file and scale as of a ConfiguredObject
-  std::vector<double> size;    ///< size as of a ConfiguredObject [m]
-  std::string file;            ///< file as of a ConfiguredObject
-  double scale = 1;            ///< scale as of a ConfiguredObject
-  /// Orientation of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad].
-  Vec3 rpy = Vec3::Zero();
-  /// x, y in its own frame of the point below the midpoint between the tips; if empty, the middle
-  /// of its extent in its final orientation [m].
+  std::string shape = "mesh";  ///< shape, size, file and scale as of a ConfiguredObject
+  std::vector<double> size;
+  std::string file;
+  double scale = 1;
+  Vec3 rpy = Vec3::Zero();  ///< of its frame in the world, Rz(yaw) Ry(pitch) Rx(roll) [rad]
+  /// x, y, in its own frame, of the point that is placed below the midpoint between the tips [m];
+  /// if empty, this is the middle of its extent in its final orientation.
   std::vector<double> grasp_point;
 
-  SceneObject mesh;  ///< mesh read from `file`, filled in by load_scene_files()
+  SceneObject mesh;  ///< read from `file` by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, TargetBody& o) {
@@ -151,7 +146,7 @@ void fields(Fields& f, TargetBody& o) {
 /// Returns a sentence about the first invalid field, or "" if all are valid.
 std::string validation_error(const TargetBody& body);
 
-/// The link that carries the target from its grasp to its release: thumb and index, or the palm.
+/// The link to which the target is attached from its grasp to its release.
 enum class Carrier { fingers, palm };
 /// Returns the names of the carriers in configurations.
 constexpr std::array<std::string_view, 2> names_of(Carrier) { return {"fingers", "palm"}; }
@@ -159,24 +154,20 @@ constexpr std::array<std::string_view, 2> names_of(Carrier) { return {"fingers",
 /// Options of the grasped object, if it was not recorded: an upright cylinder on the table with its
 /// axis midway between thumb and index tip.
 struct TargetOptions {
-  /// True if a target that was not recorded is inferred.
-  bool infer = true;
-  /// Name of the inferred target.
-  std::string name = "cup";
+  bool infer = true;         ///< true if a target that was not recorded is inferred
+  std::string name = "cup";  ///< of the inferred target
   /// Height; increased to `rim_margin` above the tips, since they hold the side, not the rim [m].
   double height = 0.10;
   double rim_margin = 0.02;  ///< distance of the rim above the higher tip [m]
-  /// Goals are on the axes of the fingers: radius = half the tips' horizontal distance less the
-  /// robot's fingertip radius, so that the surfaces touch [m].
+  /// The robot's fingertip radius [m]. Goals are on the axes of the fingers; the target's radius is
+  /// half the tips' horizontal distance less `pad_depth`, so that the surfaces touch.
   double pad_depth = 0.011;
-  double min_radius = 0.015;              ///< [m]
-  double max_radius = 0.060;              ///< [m]
-  std::optional<double> radius;           ///< overrides the inferred radius [m]
-  std::optional<TargetBody> body;         ///< shape that replaces the cylinder
+  double min_radius = 0.015, max_radius = 0.060;  ///< [m]
+  std::optional<double> radius;                   ///< overrides the inferred radius [m]
+  std::optional<TargetBody> body;                 ///< shape that replaces the cylinder
   Carrier carried_by = Carrier::fingers;  ///< link that carries it from the grasp to its release
   TargetPoseOffset pose_offset;           ///< displacement of the recorded or inferred target
-  /// Pose of the recorded or inferred target, instead of `moved`.
-  std::optional<TargetPose> pose;
+  std::optional<TargetPose> pose;         ///< the same as a pose, instead of `pose_offset`
 };
 template <class Fields>
 void fields(Fields& f, TargetOptions& o) {
@@ -201,17 +192,17 @@ struct SceneOptions {
   /// YAML file with further `objects`, relative to the config, or a MoveIt planning scene in the
   /// recording's world.
   std::string file;
-  std::vector<ConfiguredObject> objects;  ///< fixed objects
-  TableOptions table;                     ///< the inferred table
-  TargetOptions target;                   ///< the grasped object
+  std::vector<ConfiguredObject> objects;
+  TableOptions table;
+  TargetOptions target;
   bool other_arm = false;  ///< true if the person's other arm is an obstacle, see other_arm.hpp
-  /// Radii of its upper arm, forearm and hand [m]: those of a strong man, about the 95th percentile
-  /// of the men of ANSUR II (Gordon et al. 2014): flexed circumferences of 0.41 and 0.35 m over 2
-  /// pi, half of a hand's breadth of 0.095 m.
+  /// Radii of its upper arm, forearm and hand [m]. These are of a strong man, about the 95th
+  /// percentile of the men of ANSUR II (Gordon et al. 2014): flexed circumferences of 0.41 m and
+  /// 0.35 m, each over 2π, and half of the hand's breadth of 0.095 m.
   std::vector<double> other_arm_radii = {0.065, 0.055, 0.048};
-  /// The objects of `file` and the preprocessed meshes, filled in by load_scene_files().
-  std::vector<ConfiguredObject> file_objects;
-  collision::MeshCache meshes;
+
+  std::vector<ConfiguredObject> file_objects;  ///< those of `file`, read by load_scene_files()
+  collision::MeshCache meshes;                 ///< preprocessed by load_scene_files()
 };
 template <class Fields>
 void fields(Fields& f, SceneOptions& o) {
@@ -225,9 +216,18 @@ void fields(Fields& f, SceneOptions& o) {
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const SceneOptions& options);
 
+/// Returns the objects of the configuration, then those of its file.
+std::vector<const ConfiguredObject*> configured_objects(const SceneOptions& options);
+
+/// Names of the capsules of the person's other arm.
+inline constexpr std::array<const char*, 3> kOtherArmNames = {"other upper arm", "other forearm",
+                                                              "other hand"};
+/// Returns true if an object of that name is a part of the other arm under these options.
+bool is_other_arm_part(const SceneOptions& options, const std::string& name);
+
 /// Loads the meshes and `file` (if any) of options that were read from `node`. Throws InputError
-/// for a wrong value (with file, line and key), a name used twice, a file that cannot be read, or a
-/// file that is not a mesh.
+/// (with file, line and key) for a wrong value, a name used twice, and a file that cannot be read,
+/// is not a mesh or has a size that indicates another unit.
 void load_scene_files(SceneOptions& options, const config::ConfigNode& node);
 
 }  // namespace morphe::scene

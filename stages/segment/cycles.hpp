@@ -1,48 +1,43 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "stages/segment/interaction.hpp"
-#include "stages/segment/movement_units.hpp"
+#include "stages/segment/movement_unit.hpp"
 #include "stages/segment/objects.hpp"
 
 namespace morphe::segment {
 
 /// Consecutive movement units that form one movement: out to a target, and back if `returns_home`.
 struct Cycle {
-  std::size_t first = 0, count = 0;  ///< first unit and number of units
-  /// True if the movement ends at its start.
-  bool returns_home = false;
+  int first = 0, count = 0;   ///< first unit and number of units
+  bool returns_home = false;  ///< true if `home`, see find_cycles(), is positive
 };
 
-/// Returns true if an object was moving during most of the unit (or all its motion is inside the
-/// unit).
-bool is_transport(const MovementUnit& bout, const std::vector<ObjectMotion>& motions);
+/// Returns true if an object moves with this hand for more than half of the unit, or the unit
+/// contains more than half of a motion of an object.
+bool is_transport(const MovementUnit& unit, const std::vector<ObjectMotion>& motions);
 
-/// Splits the movement units of a recording into movements. The split with the highest sum of
-/// evidence is found by dynamic programming over the rests between units. The evidence of a
-/// movement from rest i to rest j is its number of units times the sum of ¼ and
-///   home    1 − (d / h)², at least −1, with d the distance of rest j from rest i and h =
-///           return_radius, or half the reach if that is less; at least 0 if the recording ends
-///           before the return; the same value, if positive, is subtracted for every rest in
-///           between that is at home
-///   grasp   1 if the hand moves an object after the reach; otherwise ½ if it holds one before
-///           the next unit or the aperture is known to widen and close, −½ if the aperture is
-///           known not to; and −1 if the hand moves an object during the reach
-///   away    the horizontal distance from the shoulder gained by the reach, over the length of
-///           the reach
-///   target  ¼ if the reach halves the distance to a recorded object
-/// Units outside of movements cost up to 1 each, depending on their displacement. Those at the
-/// start of a recording cost 0.1 together, and 0 if the recording begins inside one: they are the
-/// rest of a movement without its reach. A movement never begins with a unit that is not a reach,
-/// that is one that ends less than `min_reach_distance` from its start, or is truncated by the
-/// start of the recording after its peak or by the end of the recording before its peak.
-std::vector<Cycle> find_cycles(const HandSignals& signals, const HumanMotion& motion,
-                               const SegmentOptions& options,
-                               const std::vector<MovementUnit>& bouts,
-                               const std::vector<SceneObject>& objects,
-                               const std::vector<ObjectMotion>& motions,
-                               const std::vector<HandObjectInteraction>& contacts);
+/// Splits the n movement units of a recording into movements. Dynamic programming over the
+/// boundaries 0 … n before, between and after the units finds the split with the highest sum of
+/// scores. A movement has at most 12 units; the first is its reach. All distances are those of the
+/// hand. The score of a movement is its number of units times the sum of ¼ and
+///   home    max(−1, 1 − (d / h)²), with d the distance between the movement's start and end,
+///           h = min(return_radius, half the displacement of the reach); at least 0 if the last
+///           unit is its last, as the return may be missing. For each unit between its reach and
+///           its last, the value for that unit's end is subtracted if positive.
+///   carry   1 if the hand moves an object after the reach; also −1 if it does during the reach
+///   grasp   only if the hand moves no object after the reach: ½ if it holds one before the next
+///           unit; otherwise ½ if the aperture widens and closes, −½ if it does not, 0 if unknown
+///   away    how much farther from the shoulder, horizontally, the reach ends than it starts, over
+///           the displacement of the reach; 0 if the shoulder is unknown
+///   target  ¼ if the reach more than halves the distance to a recorded object
+/// A unit outside of movements costs min(1, extent / return_radius). Instead, the first 1 … 12
+/// units may cost 0.1 together, as a movement whose reach was not recorded, or 0 if the recording
+/// begins inside the first. Only the last unit can be a movement alone. A reach ends at least
+/// `min_reach_distance` from its start; if the recording begins or ends inside it, its speed peak
+/// is recorded. `shoulder` is the median position of the shoulder, NaN if it was never seen.
+std::vector<Cycle> find_cycles(const HandRecord& hand, const Vec3& shoulder,
+                               const std::vector<MovementUnit>& units);
 
 }  // namespace morphe::segment

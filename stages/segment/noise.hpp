@@ -6,9 +6,10 @@
 
 namespace morphe::segment {
 
-/// Estimates the noise of a signal that is at rest now and then. It is the 10th percentile, over
-/// windows of a quarter of a second, of the root mean square deviation from a straight line. The
-/// straight lines remove slow drift, and most of a movement if the recording contains no rest.
+/// Returns the noise, in the unit of the values, of a signal that is at rest now and then: the 10th
+/// percentile, over windows of a quarter of a second, of the rms deviation from a straight line.
+/// The lines remove slow drift, and most of a movement if the recording contains no rest. All
+/// values are known, `step_s` apart. Returns 0 if they are fewer than a window contains.
 double noise_rms(const std::vector<Vec3>& values, double step_s);
 double noise_rms(const std::vector<double>& values, double step_s);
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "stages/segment/constants.hpp"
+
 namespace morphe::segment {
 namespace {
-
-constexpr double kLookAhead_s = 0.2;
 
 struct Track {
   std::vector<double> time;
@@ -14,7 +14,8 @@ struct Track {
 
 Track seen_part(const SceneObject& object) {
   Track track;
-  for (std::size_t i = 0; i < std::min(object.time.size(), object.position.size()); ++i) {
+  const auto samples = std::min(std::ssize(object.time), std::ssize(object.position));
+  for (int i = 0; i < samples; ++i) {
     if (!is_known(object.position[i])) continue;
     track.time.push_back(object.time[i]);
     track.position.push_back(object.position[i]);
@@ -22,36 +23,36 @@ Track seen_part(const SceneObject& object) {
   return track;
 }
 
-/// Returns the first sample after i that is far from sample i within kLookAhead_s; i if there is no
-/// such sample.
-std::size_t first_departure(const Track& track, std::size_t i, double least_m) {
-  for (std::size_t k = i + 1;
-       k < track.time.size() && track.time[k] <= track.time[i] + kLookAhead_s; ++k) {
-    if ((track.position[k] - track.position[i]).norm() > least_m) return k;
+/// Returns the first index within kLookAhead_s after i at which the object is farther than
+/// limit_m from its position at i, otherwise i.
+int first_departure(const Track& track, int i, double limit_m) {
+  const double until_s = track.time[i] + kLookAhead_s;
+  for (int k = i + 1; k < std::ssize(track.time) && track.time[k] <= until_s; ++k) {
+    if ((track.position[k] - track.position[i]).norm() > limit_m) return k;
   }
   return i;
 }
 
 }  // namespace
 
-std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects, double least_m) {
+std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects, double limit_m) {
   std::vector<ObjectMotion> motions;
   for (const SceneObject& object : objects) {
     const Track track = seen_part(object);
-    std::size_t end = 0;  // end of the current motion
+    int end = 0;  // of the current motion
     bool moving = false;
-    for (std::size_t i = 0; i < track.time.size(); ++i) {
-      const std::size_t far = first_departure(track, i, least_m);
-      if (far == i) {
+    for (int i = 0; i < std::ssize(track.time); ++i) {
+      const int departure = first_departure(track, i, limit_m);
+      if (departure == i) {
         if (moving && i >= end) moving = false;
         continue;
       }
       if (!moving) {
-        motions.push_back({object.name, track.time[far], track.time[far], 0});
+        motions.push_back({object.name, track.time[departure], track.time[departure], 0});
         moving = true;
       }
-      end = far;
-      motions.back().end_s = track.time[far];
+      end = departure;
+      motions.back().end_s = track.time[departure];
     }
   }
   for (ObjectMotion& motion : motions) {
@@ -61,10 +62,9 @@ std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects
                                 .norm();
   }
   std::erase_if(motions, [&](const ObjectMotion& motion) {
-    return motion.displacement_m < least_m && motion.end_s - motion.begin_s < kLookAhead_s;
+    return motion.displacement_m < limit_m && motion.end_s - motion.begin_s < kLookAhead_s;
   });
-  std::sort(motions.begin(), motions.end(),
-            [](const ObjectMotion& a, const ObjectMotion& b) { return a.begin_s < b.begin_s; });
+  std::ranges::sort(motions, {}, &ObjectMotion::begin_s);
   return motions;
 }
 

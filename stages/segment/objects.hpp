@@ -9,17 +9,15 @@ namespace morphe::segment {
 
 /// An interval in which a recorded object moves.
 struct ObjectMotion {
-  /// Name of the object.
-  std::string object;
-  /// Start and end of the motion.
+  std::string object;  ///< its name
   double begin_s = 0, end_s = 0;
-  double displacement_m = 0;  ///< distance between the positions at start and end [m]
+  double displacement_m = 0;  ///< distance between the positions at begin_s − 0.2 s and end_s
 };
 
-/// Returns the motions of the recorded objects in order of time. An object moves while it travels
-/// farther than `least_m` within 0.2 s; pauses shorter than that do not end a motion. A motion that
-/// ends within `least_m` of its start in less than 0.2 s is ignored (a hand that closes nudges an
-/// object).
-std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects, double least_m);
+/// Returns the motions of the recorded objects in order of time. A motion begins when the object
+/// has travelled farther than `limit_m` within 0.2 s, and ends when it no longer does; pauses
+/// shorter than 0.2 s do not end it. A motion of less than 0.2 s with a displacement below
+/// `limit_m` is ignored, since a hand that closes nudges an object.
+std::vector<ObjectMotion> object_motions(const std::vector<SceneObject>& objects, double limit_m);
 
 }  // namespace morphe::segment

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
+#include <functional>
 #include <utility>
 
+#include "core/math/statistics.hpp"
+#include "stages/segment/constants.hpp"
 #include "stages/segment/cycles.hpp"
 #include "stages/segment/grasp.hpp"
 #include "stages/segment/interaction.hpp"
@@ -15,17 +16,15 @@
 namespace morphe::segment {
 namespace {
 
-double share_seen(const HandSignals& signals, double begin_s, double end_s) {
-  const std::size_t first = signals.frame(begin_s), last = signals.frame(end_s);
-  std::size_t count = 0;
-  for (std::size_t i = first; i <= last; ++i) count += signals.seen[i] ? 1 : 0;
-  return static_cast<double>(count) / static_cast<double>(last - first + 1);
-}
-
+/// Adds a phase, unless it is shorter than half a frame. Its confidence is the mean of those of its
+/// boundaries times the share of its frames in which the hand was seen.
 void add_phase(const HandSignals& signals, PhaseKind kind, double begin_s, double end_s,
                double begin_confidence, double end_confidence, Movement& movement) {
   if (end_s - begin_s < 0.5 * signals.step_s) return;
-  const double seen = share_seen(signals, begin_s, end_s);
+  const int first = signals.frame(begin_s), end = signals.frame(end_s) + 1;
+  const auto flag = signals.seen.begin();
+  const double seen =
+      static_cast<double>(std::count(flag + first, flag + end, true)) / (end - first);
   movement.phases.push_back({kind, begin_s, end_s, 0.5 * (begin_confidence + end_confidence) * seen,
                              begin_confidence, end_confidence});
 }
@@ -33,10 +32,10 @@ void add_phase(const HandSignals& signals, PhaseKind kind, double begin_s, doubl
 void set_planned_interval(const SegmentOptions& options, Movement& movement) {
   const Phase& reach = movement.phases.front();
   movement.begin_s = reach.begin_s;
-  const Phase* until = last_phase(movement, options.plan_until);
-  if (!until) until = last_phase(movement, PhaseKind::grasp);
-  if (until) {
-    movement.end_s = until->end_s;
+  const Phase* last = last_phase(movement, options.plan_until);
+  if (!last) last = last_phase(movement, PhaseKind::grasp);
+  if (last) {
+    movement.end_s = last->end_s;
     return;
   }
   movement.end_s = reach.end_s;
@@ -46,94 +45,95 @@ void set_planned_interval(const SegmentOptions& options, Movement& movement) {
   }
 }
 
-/// Returns the index of the first unit after the grasp that is part of the return: the unit that
-/// comes home, or those after the last one that carries a recorded object, or the last unit if it
-/// heads home as the recording ends.
-std::size_t first_return(const std::vector<MovementUnit>& bouts,
-                         const std::vector<ObjectMotion>& motions, bool comes_home, bool moved,
-                         const Vec3& home) {
-  if (bouts.empty()) return 0;
-  std::size_t back = bouts.size();
+/// Returns the index of the first of `units`, those after the grasp, that belongs to the return;
+/// their number if there is no return. If a recorded object was moved, the return begins after the
+/// last unit that carries one. Otherwise it is the last unit, if that comes home or if it heads
+/// home as the recording ends.
+std::ptrdiff_t first_return(const std::vector<MovementUnit>& units,
+                            const std::vector<ObjectMotion>& motions, bool comes_home, bool moved,
+                            const Vec3& home) {
+  if (units.empty()) return 0;
+  std::ptrdiff_t back = std::ssize(units);
   if (moved) {
-    while (back > 0 && !is_transport(bouts[back - 1], motions)) --back;
+    while (back > 0 && !is_transport(units[back - 1], motions)) --back;
     return back;
   }
-  const MovementUnit& last = bouts.back();
-  const bool heads_home = last.end_truncated && (last.end_position - home).norm() <
-                                                    0.5 * (last.start_position - home).norm();
+  const MovementUnit& last = units.back();
+  const bool heads_home =
+      last.end_truncated &&
+      (last.end_position - home).norm() < kMaxHomingRatio * (last.start_position - home).norm();
   return comes_home || heads_home ? back - 1 : back;
 }
 
-/// Adds the phases of the units after the reach (and its grasp), with the pauses between them.
-void add_later_phases(const HandSignals& signals, const std::vector<MovementUnit>& bouts,
-                      std::size_t first_back, const GraspTimes& grasp, bool comes_home,
+/// Adds the phases of the units after the reach and its grasp, with the pauses between them. The
+/// units from `first_back` on are the return.
+void add_later_phases(const HandSignals& signals, const std::vector<MovementUnit>& units,
+                      std::ptrdiff_t first_back, const GraspTimes& grasp, bool comes_home,
                       Movement& movement) {
   double from_s = grasp.end_s, from_confidence = grasp.end_confidence;
-  for (std::size_t k = 0; k < bouts.size(); ++k) {
-    const MovementUnit& bout = bouts[k];
-    if (bout.end_s <= from_s) continue;
-    add_phase(signals, PhaseKind::hold, from_s, bout.begin_s, from_confidence,
-              bout.begin_confidence, movement);
-    const PhaseKind out = grasp.grasped ? PhaseKind::transport : PhaseKind::reach;
-    add_phase(signals, k >= first_back ? PhaseKind::return_phase : out,
-              std::max(from_s, bout.begin_s), bout.end_s, bout.begin_confidence,
-              bout.end_confidence, movement);
-    from_s = bout.end_s;
-    from_confidence = bout.end_confidence;
+  for (int k = 0; k < std::ssize(units); ++k) {
+    const MovementUnit& unit = units[k];
+    if (unit.end_s <= from_s) continue;
+    add_phase(signals, PhaseKind::hold, from_s, unit.begin_s, from_confidence,
+              unit.begin_confidence, movement);
+    const PhaseKind outward = grasp.grasped ? PhaseKind::transport : PhaseKind::reach;
+    add_phase(signals, k >= first_back ? PhaseKind::return_phase : outward,
+              std::max(from_s, unit.begin_s), unit.end_s, unit.begin_confidence,
+              unit.end_confidence, movement);
+    from_s = unit.end_s;
+    from_confidence = unit.end_confidence;
   }
-  if (!comes_home && first_back >= bouts.size()) {
+  if (!comes_home && first_back >= std::ssize(units))
     add_phase(signals, PhaseKind::hold, from_s, signals.end_s(), from_confidence, 0, movement);
-  }
 }
 
-Movement make_movement(const HandSignals& signals, const SegmentOptions& options,
-                       const std::vector<ObjectMotion>& motions,
-                       const std::vector<HandObjectInteraction>& contacts,
-                       std::vector<MovementUnit> bouts, const std::vector<MovementUnit>& weak,
-                       bool comes_home) {
+/// Makes the movement of the `units` of one cycle, without index and planned interval; without
+/// phases if its reach is shorter than half a frame.
+Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
+                       const std::vector<MovementUnit>& weak, bool comes_home) {
+  const HandSignals& signals = hand.signals;
   Movement movement;
-  const GraspTimes grasp = find_grasp(signals, options, motions, contacts, bouts, weak, comes_home);
+  const GraspTimes grasp = find_grasp(hand, units, weak, comes_home);
   movement.target = grasp.object;
-  const MovementUnit reach = bouts.front();
+  const MovementUnit reach = units.front();
   add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
             grasp.begin_confidence, movement);
   if (movement.phases.empty()) return movement;
   if (grasp.grasped) {
-    const double begin_s = std::clamp(grasp.opening.preshape_s, reach.begin_s, grasp.begin_s);
-    add_phase(signals, PhaseKind::preshape, begin_s, grasp.begin_s, grasp.opening.confidence,
+    const double begin_s = std::clamp(grasp.aperture.preshape_s, reach.begin_s, grasp.begin_s);
+    add_phase(signals, PhaseKind::preshape, begin_s, grasp.begin_s, grasp.aperture.confidence,
               grasp.begin_confidence, movement);
     add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
               grasp.end_confidence, movement);
   }
-  bouts.erase(bouts.begin(), bouts.begin() + grasp.units_used);
-  if (grasp.grasped && !bouts.empty()) bouts.front().begin_s = grasp.end_s;
-  const std::size_t back =
-      first_return(bouts, motions, comes_home, grasp.object_moved, reach.start_position);
-  add_later_phases(signals, bouts, back, grasp, comes_home, movement);
+  units.erase(units.begin(), units.begin() + grasp.units_used);
+  if (grasp.grasped && !units.empty()) units.front().begin_s = grasp.end_s;
+  const std::ptrdiff_t back =
+      first_return(units, hand.motions, comes_home, grasp.object_moved, reach.start_position);
+  add_later_phases(signals, units, back, grasp, comes_home, movement);
   return movement;
 }
 
 std::vector<Movement> whole_recording(const HumanMotion& motion) {
   Movement movement;
-  bool any = false;
-  for (std::size_t i = 0; i < motion.time.size(); ++i) {
+  bool seen = false;
+  for (int i = 0; i < std::ssize(motion.time); ++i) {
     bool hand = is_known(motion.wrist[i]);
-    for (std::size_t finger = 0; finger < motion.tip.cols; ++finger) {
+    for (std::size_t finger = 0; finger < motion.tip.cols; ++finger)
       hand = hand || is_known(motion.tip(i, finger));
-    }
     if (!hand) continue;
-    if (!any) movement.begin_s = motion.time[i];
+    if (!seen) movement.begin_s = motion.time[i];
     movement.end_s = motion.time[i];
-    any = true;
+    seen = true;
   }
-  return any ? std::vector<Movement>{movement} : std::vector<Movement>{};
+  return seen ? std::vector<Movement>{movement} : std::vector<Movement>{};
 }
 
 }  // namespace
 
 std::string validation_error(const SegmentOptions& o) {
   const std::pair<const char*, double> shares[] = {
-      {"onset_share", o.onset_share},     {"weak_bout_share", o.weak_bout_share},
+      {"onset_share", o.onset_share},     {"weak_unit_share", o.weak_unit_share},
       {"dip_share", o.dip_share},         {"opening_share", o.opening_share},
       {"closing_share", o.closing_share}, {"preshape_share", o.preshape_share}};
   for (const auto& [name, value] : shares) {
@@ -164,26 +164,24 @@ std::string validation_error(const SegmentOptions& o) {
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
                               const std::vector<SceneObject>& objects) {
   if (options.whole_recording) return whole_recording(motion);
-  const HandSignals signals = hand_signals(motion, options.velocity_smoothing_s);
-  const std::vector<HandObjectInteraction> contacts = find_interactions(motion, signals, objects);
-  const std::vector<ObjectMotion> motions =
-      motions_by_hand(object_motions(objects, options.min_object_displacement), contacts, signals);
+  HandRecord hand{options, objects, hand_signals(motion, options.velocity_smoothing_s), {}, {}};
+  hand.interactions = find_interactions(motion, hand.signals, objects);
+  hand.motions = motions_by_hand(object_motions(objects, options.min_object_displacement),
+                                 hand.interactions, hand.signals);
   std::vector<double> splits_s;
-  for (const ObjectMotion& object : motions) {
+  for (const ObjectMotion& object : hand.motions)
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});
-  }
-  std::vector<MovementUnit> bouts = find_movement_units(signals, options, splits_s), weak;
-  std::copy_if(bouts.begin(), bouts.end(), std::back_inserter(weak),
-               [](const MovementUnit& bout) { return bout.weak; });
-  std::erase_if(bouts, [](const MovementUnit& bout) { return bout.weak; });
+  std::vector<MovementUnit> units = find_movement_units(hand.signals, options, splits_s);
+  const auto first_weak =
+      std::ranges::stable_partition(units, std::logical_not{}, &MovementUnit::weak).begin();
+  const std::vector<MovementUnit> weak(first_weak, units.end());
+  units.erase(first_weak, units.end());
   std::vector<Movement> movements;
-  for (const Cycle& cycle :
-       find_cycles(signals, motion, options, bouts, objects, motions, contacts)) {
-    const auto begin = bouts.begin() + cycle.first;
-    Movement movement = make_movement(signals, options, motions, contacts,
-                                      {begin, begin + cycle.count}, weak, cycle.returns_home);
+  for (const Cycle& cycle : find_cycles(hand, math::median_point(motion.shoulder), units)) {
+    const auto begin = units.begin() + cycle.first;
+    Movement movement = make_movement(hand, {begin, begin + cycle.count}, weak, cycle.returns_home);
     if (movement.phases.empty()) continue;
-    movement.index = static_cast<int>(movements.size());
+    movement.index = movements.empty() ? 0 : movements.back().index + 1;
     set_planned_interval(options, movement);
     movements.push_back(std::move(movement));
   }

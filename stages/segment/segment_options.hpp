@@ -8,31 +8,32 @@ namespace morphe::segment {
 
 /// Options of the segmentation. Speeds are those of the index tip (of the wrist if the tip is not
 /// seen) after smoothing by a Gaussian of `velocity_smoothing_s`, which is widened for noisy
-/// signals. Shares refer to a unit's own peak or displacement, never to another unit's.
+/// signals.
 struct SegmentOptions {
   /// Least standard deviation of the Gaussian on velocities [s].
   double velocity_smoothing_s = 0.02;
   double onset_share = 0.05;     ///< share of its peak speed at which a unit begins and ends
   double min_peak_speed = 0.05;  ///< least peak speed of a unit that is not weak [m/s]
-  /// A unit ends after its last part above this share of its peak; a unit that travels less than
-  /// this share of its neighbours' displacement is weak.
-  double weak_bout_share = 0.08;
-  /// Largest dip between two units, as a share of the smaller peak, for a change of direction by a
-  /// right angle.
+  /// Share for two decisions. A unit includes a part with a peak above this share of its own. A
+  /// unit that travels less than this share of the farthest of its neighbours is weak.
+  double weak_unit_share = 0.08;
+  /// Speed in a dip, as a share of the smaller peak beside it, below which the dip separates two
+  /// units if the direction changes there by a right angle or more.
   double dip_share = 0.35;
   double min_reach_distance = 0.05;  ///< least displacement of a reach [m]
-  /// Distance from the start (at most half the reach) at which a movement has come home [m].
+  /// A movement comes home if it ends closer to its start than this and than half its reach [m].
   double return_radius = 0.10;
-  /// Widening of the aperture in a reach to grasp, as a share of its start.
+  /// Least widening of the aperture in a reach to grasp, as a share of that at the reach's start.
   double opening_share = 0.15;
-  double closing_share = 0.15;   ///< closing after that, as a share of the widening
+  double closing_share = 0.15;   ///< least closing after that, as a share of the widening
   double preshape_share = 0.10;  ///< share of the widening at which the preshape begins
-  double min_grasp_s = 0.06;  ///< duration of a grasp without a pause, around the slowest point [s]
-  double min_object_displacement = 0.005;  ///< of a recorded object that moves [m]
+  double min_grasp_s = 0.06;  ///< least duration of a grasp and of the hold that indicates it [s]
+  double min_object_displacement = 0.005;  ///< least one of a recorded object that moves [m]
   double hold_after_touch_s = 0.1;  ///< planned part of the hold after a reach without a grasp [s]
-  /// True if a hand that pauses before it has the moving object grasps only when it has it.
+  /// True if a hand that pauses on its way to an object, which it moves later, grasps on arrival;
+  /// false if it grasps in that pause.
   bool until_grasped = false;
-  /// True if the recording is one movement without phases, regardless of the motion in it.
+  /// True if the recording is one movement without phases (a gesture, which contains no reach).
   bool whole_recording = false;
   PhaseKind plan_until = PhaseKind::grasp;  ///< last phase planned: grasp, transport or return
 };
@@ -41,7 +42,7 @@ void fields(Fields& f, SegmentOptions& o) {
   f("velocity_smoothing_s", o.velocity_smoothing_s);
   f("onset_share", o.onset_share);
   f("min_peak_speed", o.min_peak_speed);
-  f("weak_bout_share", o.weak_bout_share);
+  f("weak_unit_share", o.weak_unit_share);
   f("dip_share", o.dip_share);
   f("min_reach_distance", o.min_reach_distance);
   f("return_radius", o.return_radius);

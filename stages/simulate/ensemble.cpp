@@ -13,7 +13,6 @@
 #include "core/store/fingerprint.hpp"
 
 namespace morphe::simulate {
-
 namespace {
 
 double sample_value(math::RandomStream& random, double value, const std::optional<Range>& range) {
@@ -24,7 +23,7 @@ double sample_value(math::RandomStream& random, double value, const std::optiona
 }  // namespace
 
 Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
-                       const std::string& name, int k) {
+                       const std::string& name, std::ptrdiff_t k) {
   Variation variation{options.friction, options.torsional_friction_m, options.mass_kg,
                       plan.base_from_target};
   if (k == 0) return variation;
@@ -37,15 +36,15 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
       math::shortest_rotation(Vec3::UnitZ(), plan.world.up).toRotationMatrix();
   const double right = random.uniform(-kTargetShift_m, kTargetShift_m);
   const double forward = random.uniform(-kTargetShift_m, kTargetShift_m);
-  const double turn = random.uniform(-kTargetTurn_deg, kTargetTurn_deg) * kRadPerDegree;
+  const double angle = random.uniform(-kTargetTurn_deg, kTargetTurn_deg) * kRadPerDegree;
   variation.base_from_target.linear() =
-      Eigen::AngleAxisd(turn, plan.world.up) * plan.base_from_target.linear();
+      Eigen::AngleAxisd(angle, plan.world.up) * plan.base_from_target.linear();
   variation.base_from_target.translation() += right * plane.col(0) + forward * plane.col(1);
   return variation;
 }
 
 std::size_t PlanResult::held_count() const {
-  return std::ranges::count_if(rollouts, [](const Rollout& one) { return one.lift.is_held(); });
+  return std::ranges::count_if(rollouts, [](const Rollout& r) { return r.lift.is_held(); });
 }
 
 PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std::string& name,
@@ -70,8 +69,7 @@ PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std:
     const bool directions = options.load_directions == Directions::every ||
                             (options.load_directions == Directions::first && k == 0);
     result.rollouts[k] =
-        roll_out(prepared.plan, variation_of(prepared.plan, options, name, static_cast<int>(k)),
-                 options, directions);
+        roll_out(prepared.plan, variation_of(prepared.plan, options, name, k), options, directions);
   });
   return result;
 }

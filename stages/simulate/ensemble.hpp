@@ -4,16 +4,17 @@
 #include <vector>
 
 #include "stages/simulate/prepare.hpp"
+#include "stages/simulate/rollout.hpp"
 
 namespace morphe::simulate {
 
 /// Returns the variation of rollout k of a plan. Rollout 0 has the nominal values. In all others,
-/// friction (and torsion with it) and mass vary by up to kVariationShare, or over the ranges given
-/// in the options; the target's position varies uniformly by up to kTargetShift_m along each of two
-/// directions of its support plane, and its orientation by up to kTargetTurn_deg about the plane's
-/// normal. Depends only on the seed, the plan's name ("<demonstration>/<000>") and k.
+/// friction and mass vary by up to kVariationShare, or over the options' ranges; torsional friction
+/// varies in proportion to friction. The target is displaced by up to kTargetShift_m along each of
+/// two directions of its support plane, and rotated by up to kTargetTurn_deg about the plane's
+/// normal. The random numbers depend on seed, `name` of the plan, and k.
 Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
-                       const std::string& name, int k);
+                       const std::string& name, std::ptrdiff_t k);
 
 /// The result of simulating a plan.
 struct PlanResult {
@@ -33,13 +34,12 @@ struct PlanResult {
   std::size_t held_count() const;
 };
 
-/// Prepares a plan and runs its rollouts, on the idle threads of an enclosing parallel::run() if
-/// there is one.
+/// Prepares a plan called `name` and runs its rollouts, in parallel on the idle threads of an
+/// enclosing parallel::run().
 PlanResult simulate_plan(const robot::Robot& robot, const Plan& plan, const std::string& name,
                          const SimulateOptions& options);
 
-/// Returns the SHA-256 of everything on which a result depends: the plan, the robot, the options,
-/// the engine, and any further dependencies named in `program`.
+/// Returns the SHA-256 of all that a result depends on: plan, robot, options, engine and `program`.
 std::string result_key(const RobotModel& robot, const Plan& plan, const SimulateOptions& options,
                        const std::string& program);
 

@@ -5,36 +5,32 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/simulate/options.hpp"
+
 namespace morphe::simulate {
 namespace {
 
-/// share of the rotation axis above which it is a rotation about the grasp axis
-constexpr double kMinPivotCosine = 0.7;
-/// Share of the allowed motion at which its cause is determined; a target that falls leaves the
-/// fingers later.
+constexpr double kMinPivotCosine = 0.7;  ///< between a rotation's axis and the grasp axis
+/// Share of the allowed motion at which its cause is determined. At the whole of it, a falling
+/// target may have left the hand.
 constexpr double kOnsetShare = 0.25;
 
 Pose palm_from_target(const physics::State& state, const ModelIds& parts) {
   return state.body(parts.palm_body).inverse() * state.body(parts.target_body);
 }
 
-void update_maximum(const Displacement& way, Displacement& largest) {
-  largest.distance_m = std::max(largest.distance_m, way.distance_m);
-  largest.angle_deg = std::max(largest.angle_deg, way.angle_deg);
+bool is_within(const Displacement& displacement, double distance_m, double angle_deg) {
+  return displacement.distance_m < distance_m && displacement.angle_deg < angle_deg;
 }
 
-bool is_within(const Displacement& way, double distance_m, double angle_deg) {
-  return way.distance_m < distance_m && way.angle_deg < angle_deg;
-}
-
-/// Returns the line between the two contacts that press most against each other.
-Vec3 grasp_axis(const std::vector<TargetContact>& grips) {
+/// Returns the direction between the two contacts whose forces are most opposed; zero without two.
+Vec3 grasp_axis(const std::vector<TargetContact>& contacts) {
   Vec3 line = Vec3::Zero();
-  double most = 1;
-  for (const TargetContact& a : grips) {
-    for (const TargetContact& b : grips) {
-      if (a.inward.dot(b.inward) >= most) continue;
-      most = a.inward.dot(b.inward);
+  double min_cosine = 1;
+  for (const TargetContact& a : contacts) {
+    for (const TargetContact& b : contacts) {
+      if (a.inward.dot(b.inward) >= min_cosine) continue;
+      min_cosine = a.inward.dot(b.inward);
       line = a.point - b.point;
     }
   }
@@ -49,39 +45,42 @@ ModelIds::ModelIds(const physics::Model& model, const RobotModel& robot, bool li
       palm_body(model.body(fmt::format("f{}", robot.palm_frame))),
       base_motor(lifts_base ? model.actuator("base") : -1),
       capsule_of_geom(model.geom_count(), -1) {
-  for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+  for (int f = 0; f < std::ssize(robot.frames); ++f) {
     const std::string name = fmt::format("f{}", f);
     bodies.push_back(model.body(name));
     joints.push_back(robot.frames[f].joint >= 0 ? model.joint(name) : -1);
   }
-  for (std::size_t j = 0; j < robot.joints(); ++j)
+  for (int j = 0; j < std::ssize(robot.joint_names); ++j)
     motors.push_back(model.actuator(fmt::format("m{}", j)));
-  for (std::size_t k = 0; k < robot.capsules.size(); ++k)
-    capsule_of_geom[model.geom(fmt::format("c{}", k))] = static_cast<int>(k);
+  for (int k = 0; k < std::ssize(robot.capsules); ++k)
+    capsule_of_geom[model.geom(fmt::format("c{}", k))] = k;
 }
 
 std::vector<TargetContact> target_contacts(const physics::State& state, const ModelIds& parts,
                                            std::vector<physics::GeomContact>& touches) {
   state.contacts(touches);
-  std::vector<TargetContact> grips;
-  for (const physics::GeomContact& touch : touches) {
-    const bool target_first = touch.first == parts.target_geom;
-    if (!target_first && touch.second != parts.target_geom) continue;
-    const int capsule = parts.capsule_of_geom[target_first ? touch.second : touch.first];
-    if (capsule >= 0 && touch.force > 0)
-      grips.push_back(
-          {capsule, touch.point, target_first ? Vec3(-touch.normal) : touch.normal, touch.force});
+  std::vector<TargetContact> contacts;
+  for (const physics::GeomContact& pair : touches) {
+    const bool target_first = pair.first == parts.target_geom;
+    if (!target_first && pair.second != parts.target_geom) continue;
+    const int capsule = parts.capsule_of_geom[target_first ? pair.second : pair.first];
+    if (capsule >= 0 && pair.force > 0)
+      contacts.push_back(
+          {capsule, pair.point, target_first ? Vec3(-pair.normal) : pair.normal, pair.force});
   }
-  return grips;
+  return contacts;
 }
 
-bool has_opposing_contacts(const std::vector<TargetContact>& grips) {
-  for (const TargetContact& a : grips) {
-    for (const TargetContact& b : grips) {
+bool has_opposing_contacts(const std::vector<TargetContact>& contacts) {
+  for (const TargetContact& a : contacts)
+    for (const TargetContact& b : contacts)
       if (a.inward.dot(b.inward) < 0) return true;
-    }
-  }
   return false;
+}
+
+void update_maximum(const Displacement& displacement, Displacement& maximum) {
+  maximum.distance_m = std::max(maximum.distance_m, displacement.distance_m);
+  maximum.angle_deg = std::max(maximum.angle_deg, displacement.angle_deg);
 }
 
 Displacement displacement_between(const Pose& from, const Pose& to) {
@@ -96,58 +95,56 @@ HoldMonitor::HoldMonitor(const RobotModel& robot, const ModelIds& parts,
   const Pose base_from_palm = squeezed.body(parts.palm_body);
   grasp_axis_ = base_from_palm.linear().transpose() * grasp_axis(contacts_);
   const Pose target_from_base = squeezed.body(parts.target_body).inverse();
-  for (const TargetContact& grip : contacts_) {
-    const int frame = robot.capsules[grip.capsule].frame;
+  for (const TargetContact& contact : contacts_) {
+    const int frame = robot.capsules[contact.capsule].frame;
     if (frame < 0) continue;
     const Pose base_from_link = squeezed.body(parts.bodies[frame]);
     anchors_.push_back(
-        {frame, target_from_base * grip.point, base_from_link.inverse() * grip.point});
+        {frame, target_from_base * contact.point, base_from_link.inverse() * contact.point});
   }
 }
 
 void HoldMonitor::update(const physics::State& state, bool settled, bool at_limit) {
-  const Pose now = palm_from_target(state, parts_);
-  const Displacement way = displacement_between(start_, now);
-  update_maximum(way, holding_.in_hand_displacement);
+  const Pose pose = palm_from_target(state, parts_);
+  const Displacement displacement = displacement_between(start_, pose);
+  update_maximum(displacement, result_.in_hand_displacement);
   at_limit_ = at_limit;
-  for (const ContactAnchor& pad : anchors_) {
+  for (const ContactAnchor& anchor : anchors_) {
     const Pose link_from_target =
-        state.body(parts_.bodies[pad.frame]).inverse() * state.body(parts_.target_body);
-    holding_.slip_m =
-        std::max(holding_.slip_m, (link_from_target * pad.on_target - pad.on_finger).norm());
+        state.body(parts_.bodies[anchor.frame]).inverse() * state.body(parts_.target_body);
+    result_.slip_m =
+        std::max(result_.slip_m, (link_from_target * anchor.on_target - anchor.on_finger).norm());
   }
-  if (!settled_) holding_.droop = way;
-  if (settled && !settled_) settled_ = now;
-  if (settled) update_maximum(displacement_between(*settled_, now), holding_.drift);
+  if (!settled_) result_.droop = displacement;
+  if (settled && !settled_) settled_ = pose;
+  if (settled) update_maximum(displacement_between(*settled_, pose), result_.drift);
   contacts_ = target_contacts(state, parts_, touches_);
-  if (first_cause_ == Failure::none && !is_within(way, kOnsetShare * kMaxInHandDisplacement_m,
-                                                  kOnsetShare * kMaxInHandDisplacement_deg))
-    first_cause_ = classify_failure(start_, now);
-  if (!is_within(way, kMaxInHandDisplacement_m, kMaxInHandDisplacement_deg)) {
-    holding_.failure = contacts_.empty() ? first_cause_ : classify_failure(start_, now);
-  } else if (!is_within(holding_.drift, kMaxDrift_m, kMaxDrift_deg)) {
-    holding_.failure = classify_failure(*settled_, now);
-  }
+  if (first_cause_ == Failure::none &&
+      !is_within(displacement, kOnsetShare * kMaxInHandDisplacement_m,
+                 kOnsetShare * kMaxInHandDisplacement_deg))
+    first_cause_ = classify_failure(start_, pose);
+  if (!is_within(displacement, kMaxInHandDisplacement_m, kMaxInHandDisplacement_deg))
+    result_.failure = contacts_.empty() ? first_cause_ : classify_failure(start_, pose);
+  else if (!is_within(result_.drift, kMaxDrift_m, kMaxDrift_deg))
+    result_.failure = classify_failure(*settled_, pose);
 }
 
-/// Classifies by the motion that is largest relative to its limit.
 Failure HoldMonitor::classify_failure(const Pose& from, const Pose& palm_from_target) const {
   if (at_limit_) return Failure::torque_limit;
   if (contacts_.empty()) return Failure::contact_lost;
-  const Displacement way = displacement_between(from, palm_from_target);
+  const auto [distance_m, angle_deg] = displacement_between(from, palm_from_target);
   const Eigen::AngleAxisd turn(palm_from_target.linear() * from.linear().transpose());
-  if (way.angle_deg / kMaxInHandDisplacement_deg > way.distance_m / kMaxInHandDisplacement_m) {
-    return std::abs(turn.axis().dot(grasp_axis_)) >= kMinPivotCosine ? Failure::pivot
-                                                                     : Failure::roll;
+  if (angle_deg / kMaxInHandDisplacement_deg > distance_m / kMaxInHandDisplacement_m) {
+    const bool pivots = std::abs(turn.axis().dot(grasp_axis_)) >= kMinPivotCosine;
+    return pivots ? Failure::pivot : Failure::roll;
   }
-  return holding_.slip_m > 0.5 * way.distance_m ? Failure::slip : Failure::droop;
+  return result_.slip_m > 0.5 * distance_m ? Failure::slip : Failure::droop;
 }
 
 HoldResult HoldMonitor::result() const {
-  HoldResult holding = holding_;
-  if (holding.is_held() && !has_opposing_contacts(contacts_))
-    holding.failure = Failure::contact_lost;
-  return holding;
+  HoldResult result = result_;
+  if (result.is_held() && !has_opposing_contacts(contacts_)) result.failure = Failure::contact_lost;
+  return result;
 }
 
 }  // namespace morphe::simulate

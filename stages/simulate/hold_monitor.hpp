@@ -1,15 +1,16 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
+#include "core/motion/robot_model.hpp"
+#include "core/physics/model.hpp"
 #include "core/physics/state.hpp"
-#include "stages/simulate/rollout.hpp"
+#include "stages/simulate/hold_result.hpp"
 
 namespace morphe::simulate {
 
-/// The indices of a model's parts.
+/// The engine's indices of a model's parts.
 struct ModelIds {
   ModelIds(const physics::Model& model, const RobotModel& robot, bool lifts_base);
 
@@ -30,30 +31,33 @@ struct TargetContact {
 std::vector<TargetContact> target_contacts(const physics::State& state, const ModelIds& parts,
                                            std::vector<physics::GeomContact>& touches);
 /// Returns true if two of the contacts press against each other.
-bool has_opposing_contacts(const std::vector<TargetContact>& grips);
+bool has_opposing_contacts(const std::vector<TargetContact>& contacts);
 
 /// Returns the displacement of a body between two poses.
 Displacement displacement_between(const Pose& from, const Pose& to);
+/// Raises distance and angle of `maximum` to those of a displacement.
+void update_maximum(const Displacement& displacement, Displacement& maximum);
 
-/// Monitors a target that is to be held, starting from the squeezed state.
+/// Monitors a target that is to be held, from the squeezed state on.
 class HoldMonitor {
  public:
   HoldMonitor(const RobotModel& robot, const ModelIds& parts, const physics::State& squeezed);
-  /// Evaluates a state. `settled`: from now on the target must not move any more. `at_limit`: a
-  /// finger's motor is at its torque limit.
+  /// Evaluates a state. `settled` is true once the droop is over, after which the target must not
+  /// move; `at_limit` is true if a finger's motor is at its torque limit.
   void update(const physics::State& state, bool settled, bool at_limit);
   /// Returns true once the target has moved too far; later states are irrelevant.
-  bool failed() const { return !holding_.is_held(); }
-  /// Returns the result so far; a target that is not held by opposing contacts counts as lost.
+  bool failed() const { return !result_.is_held(); }
+  /// Returns the result so far. Without opposing contacts in the last state, contact is lost.
   HoldResult result() const;
 
  private:
-  /// A point of the target and its initial position on a finger.
+  /// A point of contact, fixed in the frame of the target and in that of the finger's link.
   struct ContactAnchor {
     int frame;
     Vec3 on_target, on_finger;
   };
-  /// Returns the cause of a failure from the motion of the target in the palm's frame.
+  /// Returns the cause of the target's motion in the palm: a motor's limit, lost contact, or by
+  /// whether its rotation or its translation is larger relative to its limit.
   Failure classify_failure(const Pose& from, const Pose& palm_from_target) const;
 
   const RobotModel& robot_;
@@ -66,7 +70,7 @@ class HoldMonitor {
   std::vector<physics::GeomContact> touches_;
   bool at_limit_ = false;
   Failure first_cause_ = Failure::none;
-  HoldResult holding_;
+  HoldResult result_;
 };
 
 }  // namespace morphe::simulate

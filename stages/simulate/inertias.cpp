@@ -9,15 +9,13 @@
 namespace morphe::simulate {
 namespace {
 
-constexpr double kMinLinkMass_kg = 0.001, kMinInertia_kg_m2 = 1e-6;  ///< [kg], [kg m^2]
+constexpr double kMinLinkMass_kg = 0.001, kMinInertia_kg_m2 = 1e-6;
 
-/// Returns the inertia of an axisymmetric body along z from its moments across and about its axis.
 Eigen::Matrix3d axisymmetric_inertia(double across, double about) {
   return Vec3(across, across, about).asDiagonal();
 }
 
-/// Returns mass per density and inertia per density of a capsule along z: a cylinder and two half
-/// balls.
+/// Returns mass and inertia for a density of 1 of a capsule along z: a cylinder and two half balls.
 Inertia unit_capsule(double radius, double length) {
   const double r2 = radius * radius, l2 = length * length;
   const double tube = std::numbers::pi * r2 * length;
@@ -30,15 +28,13 @@ Inertia unit_capsule(double radius, double length) {
   return body;
 }
 
-/// Returns the parallel axis (Steiner) term.
-Eigen::Matrix3d parallel_axis_term(double mass, const Vec3& by) {
-  return mass * (by.squaredNorm() * Eigen::Matrix3d::Identity() - by * by.transpose());
+Eigen::Matrix3d parallel_axis_term(double mass, const Vec3& offset) {
+  return mass * (offset.squaredNorm() * Eigen::Matrix3d::Identity() - offset * offset.transpose());
 }
 
 Eigen::Matrix3d box_inertia(double mass, const Vec3& size) {
-  const Vec3 squared = size.cwiseAbs2();
-  const Vec3 moments(squared.y() + squared.z(), squared.z() + squared.x(),
-                     squared.x() + squared.y());
+  const Vec3 s2 = size.cwiseAbs2();
+  const Vec3 moments(s2.y() + s2.z(), s2.z() + s2.x(), s2.x() + s2.y());
   return (mass / 12 * moments).asDiagonal();
 }
 
@@ -59,16 +55,16 @@ Inertia combined_inertia(const std::vector<Inertia>& parts) {
 
 std::vector<Inertia> robot_inertias(const RobotModel& robot, double density) {
   std::vector<Inertia> links;
-  for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+  for (int f = 0; f < std::ssize(robot.frames); ++f) {
     std::vector<Inertia> parts;
     for (const RobotModel::Capsule& capsule : robot.capsules) {
-      if (capsule.frame != static_cast<int>(f)) continue;
+      if (capsule.frame != f) continue;
       const Vec3 along = capsule.to - capsule.from;
       Inertia part = unit_capsule(capsule.radius, along.norm());
-      const Eigen::Matrix3d turn =
+      const Eigen::Matrix3d rotation =
           math::shortest_rotation(Vec3::UnitZ(), along.norm() > 0 ? along : Vec3::UnitZ()).matrix();
       part.mass *= density;
-      part.inertia_at_com = density * turn * part.inertia_at_com * turn.transpose();
+      part.inertia_at_com = density * rotation * part.inertia_at_com * rotation.transpose();
       part.centre_of_mass = 0.5 * (capsule.from + capsule.to);
       parts.push_back(part);
     }
@@ -118,26 +114,26 @@ Inertia target_inertia(const SceneObject& object, double mass_kg) {
 double lowest_height(const SceneObject& object, const Pose& pose, const Vec3& up) {
   const Vec3 d = pose.linear().transpose() * up;  // in the object's frame
   const std::vector<double>& size = object.size;
-  double reach = 0;  // extent below the centre
+  double extent = 0;  // extent below the centre
   switch (object.shape) {
     case Shape::sphere:
-      reach = size[0];
+      extent = size[0];
       break;
     case Shape::box:
-      reach = 0.5 * d.cwiseAbs().dot(Vec3(size[0], size[1], size[2]));
+      extent = 0.5 * d.cwiseAbs().dot(Vec3(size[0], size[1], size[2]));
       break;
     case Shape::cylinder:
-      reach = size[0] * d.head<2>().norm() + 0.5 * size[1] * std::abs(d.z());
+      extent = size[0] * d.head<2>().norm() + 0.5 * size[1] * std::abs(d.z());
       break;
     case Shape::capsule:
-      reach = size[0] + 0.5 * size[1] * std::abs(d.z());
+      extent = size[0] + 0.5 * size[1] * std::abs(d.z());
       break;
     case Shape::mesh:
-      reach = -kInfinity;
-      for (const Vec3& vertex : object.vertices) reach = std::max(reach, -d.dot(vertex));
+      extent = -kInfinity;
+      for (const Vec3& vertex : object.vertices) extent = std::max(extent, -d.dot(vertex));
       break;
   }
-  return up.dot(pose.translation()) - reach;
+  return up.dot(pose.translation()) - extent;
 }
 
 }  // namespace morphe::simulate

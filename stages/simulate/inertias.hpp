@@ -14,16 +14,14 @@ struct Inertia {
   Eigen::Matrix3d inertia_at_com = Eigen::Matrix3d::Zero();  ///< [kg m^2]
 };
 
-/// Returns the inertias of the robot's frames. plans.h5 contains no masses, so every capsule is
-/// taken as solid with the given density, and overlapping volumes count twice. A frame without a
-/// capsule has a mass of 1 g. [frames]
+/// Returns the inertias [frames] of solid capsules of a density [kg/m^3], because plans.h5 contains
+/// no masses. Overlapping volumes count twice. The mass of a frame is at least 1 g.
 std::vector<Inertia> robot_inertias(const RobotModel& robot, double density);
 
-/// Returns the inertia of a solid body of uniform density with the centre of mass in its centre; a
-/// mesh is approximated by its bounding box.
+/// Returns the inertia of a solid object of uniform density; a mesh counts as its bounding box.
 Inertia target_inertia(const SceneObject& object, double mass_kg);
 
-/// Returns the height of the lowest point of a body at a pose, along `up` [m].
+/// Returns the height along the unit vector `up` of an object's lowest point at a pose [m].
 double lowest_height(const SceneObject& object, const Pose& pose, const Vec3& up);
 
 }  // namespace morphe::simulate

@@ -44,11 +44,10 @@ constexpr const char* kGeomAttributes = "contype=\"0\" conaffinity=\"0\" mass=\"
 /// lowest point from these errors, and may find no contact. A slightly tilted plane avoids this.
 constexpr double kSupportTilt_rad = 1e-6;
 
-std::string capsule_geom(const RobotModel::Capsule& capsule, std::size_t k) {
-  if ((capsule.to - capsule.from).norm() < 1e-9) {
+std::string capsule_geom(const RobotModel::Capsule& capsule, int k) {
+  if ((capsule.to - capsule.from).norm() < 1e-9)
     return fmt::format("<geom name=\"c{}\" type=\"sphere\" size=\"{:.17g}\" pos=\"{}\" {}/>\n", k,
                        capsule.radius, numbers(capsule.from), kGeomAttributes);
-  }
   return fmt::format("<geom name=\"c{}\" type=\"capsule\" size=\"{:.17g}\" fromto=\"{} {}\" {}/>\n",
                      k, capsule.radius, numbers(capsule.from), numbers(capsule.to),
                      kGeomAttributes);
@@ -81,14 +80,15 @@ std::string object_geom(const SceneObject& object, const std::string& name, cons
 class Writer {
  public:
   Writer(const SimulatedWorld& world, const Variation& variation, const SimulateOptions& options,
-         Environment around)
+         Environment environment)
       : world_(world),
         robot_(*world.robot),
+        objects_(world.scene->objects),
         variation_(variation),
         options_(options),
-        with_environment_(around == Environment::scene),
+        with_environment_(environment == Environment::scene),
         children_(robot_.frames.size() + 1) {
-    for (std::size_t f = 0; f < robot_.frames.size(); ++f)
+    for (int f = 0; f < std::ssize(robot_.frames); ++f)
       children_[robot_.frames[f].parent + 1].push_back(f);
   }
 
@@ -103,7 +103,7 @@ class Writer {
           numbers(world_.up));
     }
     capsules_of(-1);
-    for (const std::size_t f : children_[0]) frame(f);
+    for (const int f : children_[0]) frame(f);
     if (world_.lifts_base) add(text_, "</body>\n");
     objects();
     target();
@@ -128,50 +128,47 @@ class Writer {
 
   void meshes() {
     add(text_, "<asset>\n");
-    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
-      const SceneObject& object = world_.scene->objects[k];
-      if (object.shape != Shape::mesh || !is_target(k)) continue;
-      add(text_, "<mesh name=\"{}\" vertex=\"", name_of_object(k));
-      for (const Vec3& vertex : object.vertices) add(text_, "{} ", numbers(vertex));
+    if (world_.target >= 0 && target_object().shape == Shape::mesh) {
+      add(text_, "<mesh name=\"target\" vertex=\"");
+      for (const Vec3& vertex : target_object().vertices) add(text_, "{} ", numbers(vertex));
       add(text_, "\"/>\n");
     }
     add(text_, "</asset>\n");
   }
 
   void capsules_of(int frame) {
-    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+    for (int k = 0; k < std::ssize(robot_.capsules); ++k)
       if (robot_.capsules[k].frame == frame) text_ += capsule_geom(robot_.capsules[k], k);
-    }
   }
 
-  void frame(std::size_t f) {
+  void frame(int f) {
     const RobotModel::Frame& frame = robot_.frames[f];
     add(text_, "<body name=\"f{}\" {}>\n", f, pose_attributes(frame.transform));
     if (frame.joint >= 0) joint(f);
     text_ += inertial(world_.inertias[f]);
-    capsules_of(static_cast<int>(f));
-    for (const std::size_t child : children_[f + 1]) this->frame(child);
+    capsules_of(f);
+    for (const int child : children_[f + 1]) this->frame(child);
     add(text_, "</body>\n");
   }
 
-  void joint(std::size_t f) {
+  void joint(int f) {
     const RobotModel::Frame& frame = robot_.frames[f];
     const Servo& servo = world_.servos[frame.joint];
-    const double one = frame.ratio * robot_.lower[frame.joint] + frame.offset;
-    const double other = frame.ratio * robot_.upper[frame.joint] + frame.offset;
+    const double at_lower = frame.ratio * robot_.lower[frame.joint] + frame.offset;
+    const double at_upper = frame.ratio * robot_.upper[frame.joint] + frame.offset;
     add(text_,
         "<joint name=\"f{}\" type=\"{}\" axis=\"{}\" limited=\"true\" range=\"{:.17g} {:.17g}\" "
         "armature=\"{:.17g}\" damping=\"{:.17g}\"/>\n",
-        f, frame.prismatic ? "slide" : "hinge", numbers(frame.axis), std::min(one, other),
-        std::max(one, other), servo.armature, servo.damping);
+        f, frame.prismatic ? "slide" : "hinge", numbers(frame.axis), std::min(at_lower, at_upper),
+        std::max(at_lower, at_upper), servo.armature, servo.damping);
   }
 
   void objects() {
     if (!with_environment_) return;
-    for (std::size_t k = 0; k < world_.scene->objects.size(); ++k) {
-      const SceneObject& object = world_.scene->objects[k];
-      if (is_static_obstacle(world_, k))
-        text_ += object_geom(object, name_of_object(k), recorded_pose(object, object.time.front()));
+    for (int k = 0; k < std::ssize(objects_); ++k) {
+      if (!is_static_obstacle(world_, k)) continue;
+      const Pose pose = recorded_pose(objects_[k], objects_[k].time.front());
+      text_ += object_geom(objects_[k], name_of_object(k), pose);
     }
     Pose plane =
         make_pose(Vec3::Zero(), math::shortest_rotation(Vec3::UnitZ(), world_.up) *
@@ -190,67 +187,61 @@ class Writer {
     add(text_, "</body>\n");
   }
 
-  void pair(const std::string& first, const std::string& second, double friction,
-            double torsional_friction_m) {
+  void pair(const std::string& first, const std::string& second, double friction) {
     add(text_,
         "<pair geom1=\"{}\" geom2=\"{}\" condim=\"6\" friction=\"{:.17g} {:.17g} {:.17g} {:.17g} "
         "{:.17g}\" solref=\"{}\" solimp=\"{}\"/>\n",
-        first, second, friction, friction, torsional_friction_m, kRollingFriction_m,
+        first, second, friction, friction, variation_.torsional_friction_m, kRollingFriction_m,
         kRollingFriction_m, kContactSolref, kContactSolimp);
   }
 
   void contacts() {
     add(text_, "<contact>\n");
-    const auto of_hand = [&](std::size_t k) {
+    const auto in_hand = [&](int k) {
       return robot_.capsules[k].frame >= 0 &&
              robot::is_in_subtree(robot_, robot_.capsules[k].frame, robot_.palm_frame);
     };
-    for (std::size_t k = 0; k < robot_.capsules.size(); ++k) {
+    for (int k = 0; k < std::ssize(robot_.capsules); ++k) {
       const std::string capsule = fmt::format("c{}", k);
-      pair("target", capsule, variation_.friction, variation_.torsional_friction_m);
-      if (!of_hand(k)) continue;
-      for (std::size_t other = k + 1; other < robot_.capsules.size(); ++other) {
-        if (of_hand(other) && may_collide(k, other))
-          pair(capsule, fmt::format("c{}", other), variation_.friction,
-               variation_.torsional_friction_m);
-      }
-      for (std::size_t object = 0; with_environment_ && object < world_.scene->objects.size();
-           ++object) {
+      pair("target", capsule, variation_.friction);
+      if (!in_hand(k)) continue;
+      for (int other = k + 1; other < std::ssize(robot_.capsules); ++other)
+        if (in_hand(other) && may_collide(k, other))
+          pair(capsule, fmt::format("c{}", other), variation_.friction);
+      for (int object = 0; with_environment_ && object < std::ssize(objects_); ++object)
         if (is_static_obstacle(world_, object))
-          pair(name_of_object(object), capsule, kSupportFriction, variation_.torsional_friction_m);
-      }
+          pair(name_of_object(object), capsule, kSupportFriction);
     }
-    const SceneObject* const table = find_object(world_.scene->objects, "table");
-    for (std::size_t k = 0; with_environment_ && k < world_.scene->objects.size(); ++k) {
-      if (is_static_obstacle(world_, k) && &world_.scene->objects[k] != table)
-        pair(name_of_object(k), "target", kSupportFriction, variation_.torsional_friction_m);
-    }
-    if (with_environment_)
-      pair("support", "target", kSupportFriction, variation_.torsional_friction_m);
+    const SceneObject* const table = find_object(objects_, "table");
+    for (int k = 0; with_environment_ && k < std::ssize(objects_); ++k)
+      if (is_static_obstacle(world_, k) && &objects_[k] != table)
+        pair(name_of_object(k), "target", kSupportFriction);
+    if (with_environment_) pair("support", "target", kSupportFriction);
     add(text_, "</contact>\n");
   }
 
-  bool may_collide(std::size_t k, std::size_t other) const {
-    const int body = robot::moving_frame_of(robot_, robot_.capsules[k].frame);
-    const int second = robot::moving_frame_of(robot_, robot_.capsules[other].frame);
-    const std::array<int, 2> pair{static_cast<int>(k), static_cast<int>(other)};
-    return body != second && std::ranges::count(robot_.allowed_collision_pairs, pair) == 0;
+  bool may_collide(int first, int second) const {
+    const std::array<int, 2> pair{first, second};
+    return robot::moving_frame_of(robot_, robot_.capsules[first].frame) !=
+               robot::moving_frame_of(robot_, robot_.capsules[second].frame) &&
+           std::ranges::count(robot_.allowed_collision_pairs, pair) == 0;
   }
 
-  /// Writes the couplings: value - offset' = ratio / ratio' (motor's value - offset).
+  /// Writes the couplings of the frames f to the frame m with their joint's motor:
+  ///   value_f = offset_f + ratio_f / ratio_m (value_m - offset_m).
   void couplings() {
     add(text_, "<equality>\n");
     const std::vector<int> motors = motor_frames(robot_);
-    for (std::size_t f = 0; f < robot_.frames.size(); ++f) {
+    for (int f = 0; f < std::ssize(robot_.frames); ++f) {
       const RobotModel::Frame& frame = robot_.frames[f];
-      if (frame.joint < 0 || motors[frame.joint] == static_cast<int>(f)) continue;
+      if (frame.joint < 0 || motors[frame.joint] == f) continue;
       const int motor = motors[frame.joint];
-      const RobotModel::Frame& by = robot_.frames[motor];
-      const double ratio = frame.ratio / by.ratio;
+      const RobotModel::Frame& driver = robot_.frames[motor];
+      const double ratio = frame.ratio / driver.ratio;
       add(text_,
           "<joint joint1=\"f{}\" joint2=\"f{}\" polycoef=\"{:.17g} {:.17g} 0 0 0\" solref=\"{}\" "
           "solimp=\"{}\"/>\n",
-          f, motor, frame.offset - ratio * by.offset, ratio, kCouplingSolref, kCouplingSolimp);
+          f, motor, frame.offset - ratio * driver.offset, ratio, kCouplingSolref, kCouplingSolimp);
     }
     add(text_, "</equality>\n");
   }
@@ -258,7 +249,7 @@ class Writer {
   void motors() {
     add(text_, "<actuator>\n");
     const std::vector<int> frames = motor_frames(robot_);
-    for (std::size_t j = 0; j < robot_.joints(); ++j) {
+    for (int j = 0; j < std::ssize(frames); ++j) {
       const Servo& servo = world_.servos[j];
       add(text_,
           "<general name=\"m{}\" joint=\"f{}\" gaintype=\"fixed\" biastype=\"affine\" "
@@ -267,41 +258,37 @@ class Writer {
           j, frames[j], servo.stiffness, -servo.stiffness, -servo.velocity_gain,
           -servo.torque_limit, servo.torque_limit);
     }
-    if (world_.lifts_base) {
+    if (world_.lifts_base)
       add(text_,
           "<general name=\"base\" joint=\"base\" gaintype=\"fixed\" biastype=\"affine\" "
           "gainprm=\"{:g}\" biasprm=\"0 {:g} {:g}\"/>\n",
           kBaseStiffness, -kBaseStiffness, -kBaseVelocityGain);
-    }
     add(text_, "</actuator>\n");
   }
 
-  bool is_target(std::size_t object) const { return static_cast<int>(object) == world_.target; }
-  const SceneObject& target_object() const { return world_.scene->objects[world_.target]; }
-  std::string name_of_object(std::size_t k) const {
-    return is_target(k) ? "target" : fmt::format("o{}", k);
-  }
+  const SceneObject& target_object() const { return objects_[world_.target]; }
+  std::string name_of_object(int k) const { return fmt::format("o{}", k); }
 
   const SimulatedWorld& world_;
   const RobotModel& robot_;
+  const std::vector<SceneObject>& objects_;
   const Variation& variation_;
   const SimulateOptions& options_;
   const bool with_environment_;
-  std::vector<std::vector<std::size_t>> children_;  ///< [frames + 1] children of the base first
+  std::vector<std::vector<int>> children_;  ///< [frames + 1] children of the base first
   std::string text_;
 };
 
 }  // namespace
 
-bool is_static_obstacle(const SimulatedWorld& world, std::size_t object) {
-  const SceneObject& one = world.scene->objects[object];
-  return static_cast<int>(object) != world.target && one.shape != Shape::mesh &&
-         one.time.size() == 1;
+bool is_static_obstacle(const SimulatedWorld& world, std::ptrdiff_t object) {
+  const SceneObject& obstacle = world.scene->objects[object];
+  return object != world.target && obstacle.shape != Shape::mesh && obstacle.time.size() == 1;
 }
 
 std::string mjcf_text(const SimulatedWorld& world, const Variation& variation,
-                      const SimulateOptions& options, Environment around) {
-  return Writer(world, variation, options, around).text();
+                      const SimulateOptions& options, Environment environment) {
+  return Writer(world, variation, options, environment).text();
 }
 
 }  // namespace morphe::simulate

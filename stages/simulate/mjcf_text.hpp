@@ -28,26 +28,26 @@ struct SimulatedWorld {
   bool lifts_base = false;  ///< true for a hand without an arm, whose base slides along `up`
 };
 
-/// The environment of the target: `scene` with its support and the surrounding objects; `none` for
-/// a target that is held by the hand alone, without weight, support and surrounding objects.
+/// The surroundings of target and hand: support, static obstacles and gravity (scene), or no such
+/// thing (none).
 enum class Environment { scene, none };
 
-/// Returns true if an object is part of the model in addition to the target. Objects that move are
-/// excluded, and so are meshes, whose convex hull would fill a shelf. The trajectory is certified
-/// to be clear of them.
-bool is_static_obstacle(const SimulatedWorld& world, std::size_t object);
+/// Returns true if an object is part of the model in addition to the target. It is if it rests and
+/// is not a mesh (the convex hull of a shelf would fill it). The trajectory is certified to avoid
+/// the objects that are left out.
+bool is_static_obstacle(const SimulatedWorld& world, std::ptrdiff_t object);
 
 /// Returns the model as MJCF, every number with 17 digits. Names: frame k is body and joint "f<k>"
-/// (whose value is ratio * q + offset), joint j has the motor "m<j>", capsule k is geom "c<k>";
-/// "target" is body and geom; "base" is body, joint and motor of a base that is lifted; object k is
-/// geom "o<k>"; "support" is the plane that supports the target, through its lowest point and
-/// normal to `up`.
-/// Contacts are listed pair by pair, because unlisted pairs would combine friction by the larger of
-/// two values: the target with every capsule, with the support and with every surrounding object
-/// except the one called "table", which is replaced by the support; the hand's capsules with each
-/// other, unless their collision is allowed, and with all these objects. A target's mesh counts as
-/// its convex hull.
+/// (whose value is ratio * q + offset), joint j has the motor "m<j>", capsule k is geom "c<k>",
+/// object k "o<k>"; "target" is body and geom; "base" is body, joint and motor of a base that is
+/// lifted; "support" is the plane normal to `up` through the target's lowest point.
+/// Contacts are listed pair by pair, because unlisted pairs would take the larger of two friction
+/// values. Listed are:
+///   the target with every capsule, with the support and with every static obstacle except "table",
+///   which the support replaces;
+///   the hand's capsules with each other, unless their collision is allowed;
+///   the hand's capsules with every static obstacle.
 std::string mjcf_text(const SimulatedWorld& world, const Variation& variation,
-                      const SimulateOptions& options, Environment around);
+                      const SimulateOptions& options, Environment environment);
 
 }  // namespace morphe::simulate

@@ -13,13 +13,12 @@ std::string validation_error(const SimulateOptions& o) {
   if (!(std::isfinite(o.torsional_friction_m) && o.torsional_friction_m >= 0))
     return "torsional-friction must not be negative";
   if (!positive(o.mass_kg)) return "mass must be above 0";
-  const auto wrong = [&](const std::optional<Range>& range) {
-    return range &&
-           !(positive(range->from) && std::isfinite(range->to) && range->from <= range->to);
+  const auto is_invalid = [&](const std::optional<Range>& r) {
+    return r && !(positive(r->from) && std::isfinite(r->to) && r->from <= r->to);
   };
-  if (wrong(o.friction_range))
+  if (is_invalid(o.friction_range))
     return "friction-range must be two numbers above 0, the smaller first";
-  if (wrong(o.mass_range)) return "mass-range must be two numbers above 0, the smaller first";
+  if (is_invalid(o.mass_range)) return "mass-range must be two numbers above 0, the smaller first";
   if (!positive(o.force_N)) return "thumb-force must be above 0";
   if (!(o.step_s >= 1e-5 && o.step_s <= 0.01)) return "time-step must be 0.00001 to 0.01 s";
   if (!positive(o.density)) return "density must be above 0";

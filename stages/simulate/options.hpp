@@ -14,15 +14,15 @@
 
 namespace morphe::simulate {
 
-/// The rollouts that are also loaded in six directions: none of them, the first one (with nominal
-/// values), or every one.
+/// The rollouts in which the target is also loaded in six directions; the first one has nominal
+/// values.
 enum class Directions { none, first, every };
 constexpr std::array<std::string_view, 3> names_of(Directions) {
   return {"none", "first", "every"};
 }
 
-/// The squeeze that the hand executes: the plan's, or one by the fingers with goals at the points
-/// nearest to the target (also used for plans without a squeeze).
+/// The squeeze: the plan's, or one at the points of the fingers that are nearest to the target,
+/// which also replaces a missing squeeze of the plan.
 enum class ContactSource { planned, nearest };
 constexpr std::array<std::string_view, 2> names_of(ContactSource) { return {"planned", "nearest"}; }
 
@@ -31,28 +31,23 @@ struct Range {
   double from = 0, to = 0;
 };
 
-/// The parameters of the simulation that a plan does not contain, and those that a laboratory would
-/// change.
+/// The parameters of the simulation that a plan does not contain or that a laboratory would change.
 struct SimulateOptions {
   int rollouts = 16;  ///< number of rollouts per plan; the first one has nominal values
   Directions load_directions = Directions::first;
-  double friction = 0.8;  ///< Coulomb coefficient between hand and target
-  /// torsional friction as a length, for a pad with a contact radius of 4 mm [m]
-  double torsional_friction_m = 0.002;
-  double mass_kg = 0.3;  ///< mass of the target [kg]
-  /// ranges for all rollouts but the first, sampled log-uniformly; if absent, the values are within
-  /// kVariationShare of the nominal ones
+  double friction = 0.8;                ///< Coulomb coefficient between hand and target
+  double torsional_friction_m = 0.002;  ///< for a pad with a contact radius of 4 mm
+  double mass_kg = 0.3;                 ///< mass of the target
+  /// log-uniform in all rollouts but the first; if absent, uniform up to kVariationShare off
+  /// nominal
   std::optional<Range> friction_range, mass_range;
   ContactSource contacts = ContactSource::planned;
-  /// force of the thumb, and of the other fingers together, for ContactSource::nearest [N]
-  double force_N = 8;
-  double step_s = 0.002;  ///< time step of the simulation [s]
-  bool euler = false;     ///< semi-implicit Euler instead of the implicit integrator
-  double density = 1000;  ///< density of the robot's capsules [kg/m^3]
-  /// Parameters of the revolute finger joints. They are not published for most hands: 1 N m gives
-  /// 10 N at 0.1 m.
-  double hand_stiffness = 10;    ///< [N m/rad]
-  double hand_torque_limit = 1;  ///< limit [N m]
+  double force_N = 8;  ///< force of the thumb and of the other fingers together, if not planned
+  double step_s = 0.002;
+  bool euler = false;          ///< semi-implicit Euler instead of the implicit integrator
+  double density = 1000;       ///< of the robot's capsules [kg/m^3]
+  double hand_stiffness = 10;  ///< of revolute finger joints, unpublished for most hands [N m/rad]
+  double hand_torque_limit = 1;  ///< 10 N at 0.1 m [N m]
   ServoTable servos;       ///< parameters of individual joints, which override all of the above
   std::uint64_t seed = 1;  ///< of the variations
 };
@@ -88,12 +83,10 @@ std::vector<std::string> assumptions(const SimulateOptions& options);
 // Contact parameters of the engine [DexGraspBench's, softness 0.1 mm at 30 N].
 inline constexpr const char* kContactSolref = "0.005 1";
 inline constexpr const char* kContactSolimp = "0.5 0.99 0.0001";
-// Torsion and rolling with elliptic cones: with pyramidal cones, a block is dropped that Coulomb
-// friction holds.
+// For elliptic friction cones; with pyramidal ones, a block falls that Coulomb friction holds.
 inline constexpr int kImpratio = 10, kNoslipIterations = 5;
 inline constexpr double kRollingFriction_m = 0.001;
-/// Friction between the target and its support, which should neither help nor hinder the test.
-inline constexpr double kSupportFriction = 0.5;
+inline constexpr double kSupportFriction = 0.5;  ///< neither helps nor hinders the test
 // The servo that lifts a hand without an arm [N/m, N s/m]; it yields by 0.1 mm under 2 kg.
 inline constexpr double kBaseStiffness = 2e5, kBaseVelocityGain = 2e3;
 // Couplings are as stiff as the time step permits.
@@ -103,21 +96,17 @@ inline constexpr const char* kCouplingSolimp = "0.95 0.99 0.001";
 // The test protocol.
 inline constexpr double kClosingTime_s = 0.5, kForceRampTime_s = 0.5, kSettle_s = 0.3;
 inline constexpr double kLiftHeight_m = 0.1, kLiftTime_s = 1, kHold_s = 5;
-/// settling time under load; then the target must not move [s]
-inline constexpr double kDroopTime_s = 1;
-inline constexpr double kLoadRampTime_s = 0.2, kLoadTime_s = 5;  ///< for each of the six directions
-/// displacement before the grasp above which the rollout fails
-inline constexpr double kMaxPregraspDisplacement_m = 0.01;
-/// Tracking error above which a failure is attributed to the servos [degrees, or mm for prismatic
-/// joints].
+inline constexpr double kDroopTime_s = 1;                        ///< settling time under load
+inline constexpr double kLoadRampTime_s = 0.2, kLoadTime_s = 5;  ///< in each of six directions
+inline constexpr double kMaxPregraspDisplacement_m = 0.01;       ///< larger ones fail the rollout
+/// Errors above which a failure is attributed to the servos [degrees, or mm for prismatic joints].
 inline constexpr double kArmTrackingTolerance_deg = 1, kHandTrackingTolerance_deg = 5;
 inline constexpr double kMaxDrift_m = 0.001, kMaxDrift_deg = 1;  ///< while the target is held
-/// total, in the palm's frame
+/// Limits of the displacement from the squeezed state, in the palm's frame.
 inline constexpr double kMaxInHandDisplacement_m = 0.02, kMaxInHandDisplacement_deg = 25;
 
 // The ensemble's variations.
-/// relative variation of friction, torsion and mass
-inline constexpr double kVariationShare = 0.2;
+inline constexpr double kVariationShare = 0.2;  ///< share of friction, torsion and mass
 inline constexpr double kTargetShift_m = 0.002, kTargetTurn_deg = 2;
 
 }  // namespace morphe::simulate

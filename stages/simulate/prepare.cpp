@@ -15,21 +15,20 @@
 namespace morphe::simulate {
 namespace {
 
-bool is_increasing(const std::vector<double>& time) {
-  return std::ranges::adjacent_find(time, [](double a, double b) { return !(a < b); }) ==
-         time.end();
+bool is_increasing(const std::vector<double>& t) {
+  return std::ranges::adjacent_find(t, [](double a, double b) { return !(a < b); }) == t.end();
 }
 
-bool is_valid(const Trajectory& t) {
-  return t.samples() >= 2 && t.position.allFinite() && t.velocity.allFinite() &&
-         t.acceleration.allFinite() && is_increasing(t.time) && std::isfinite(t.time.front()) &&
-         std::isfinite(t.time.back());
+bool is_valid(const Trajectory& trajectory) {
+  const std::vector<double>& time = trajectory.time;
+  return time.size() >= 2 && trajectory.position.allFinite() && trajectory.velocity.allFinite() &&
+         trajectory.acceleration.allFinite() && is_increasing(time) &&
+         std::isfinite(time.front()) && std::isfinite(time.back());
 }
 
 int target_of(const Plan& plan) {
-  for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
-    if (plan.scene.objects[k].name == plan.movement.target) return static_cast<int>(k);
-  }
+  for (int k = 0; k < std::ssize(plan.scene.objects); ++k)
+    if (plan.scene.objects[k].name == plan.movement.target) return k;
   return -1;
 }
 
@@ -59,30 +58,29 @@ Vec3 vertical_in_base(const Plan& plan, std::vector<std::string>& notes) {
   return Vec3::UnitZ();
 }
 
-/// Returns the time of the first sample at which a moving capsule touches the target, or at which
-/// the fingers begin to close.
-double planned_contact_time(const robot::Robot& robot, const Plan& plan,
-                            const SceneObject& target) {
+/// Returns the time since the start of the trajectory at which a capsule first touches the target
+/// or, if none does before, at which the fingers begin to close.
+double planned_contact_s(const robot::Robot& robot, const Plan& plan, const SceneObject& target) {
   const auto mesh = collision::mesh_solid_of(target);
-  const Trajectory& t = plan.trajectory;
-  const std::size_t last = last_tracked_sample(plan);
+  const std::vector<double>& time = plan.trajectory.time;
+  const Eigen::Index last = last_tracked_sample(plan);
   std::vector<Pose> base_from_frame;
-  for (std::size_t i = 0; i < last; ++i) {
-    robot::forward_kinematics(robot, t.position.row(i).transpose(), base_from_frame);
+  for (int i = 0; i < last; ++i) {
+    robot::forward_kinematics(robot, plan.trajectory.position.row(i).transpose(), base_from_frame);
     for (const RobotModel::Capsule& capsule : robot.capsules) {
       if (capsule.frame < 0) continue;
       const Pose& pose = base_from_frame[capsule.frame];
       const collision::CapsuleBody body{pose * capsule.from, pose * capsule.to, capsule.radius};
-      const double reach = 0.5 * (body.to - body.from).norm() + body.radius +
-                           collision::bounding_radius({target, mesh.get()});
-      const Vec3 apart = 0.5 * (body.from + body.to) - plan.grasp.base_from_object.translation();
-      if (apart.norm() > reach) continue;
+      const double max_touch_m = 0.5 * (body.to - body.from).norm() + body.radius +
+                                 collision::bounding_radius({target, mesh.get()});
+      const Vec3 offset = 0.5 * (body.from + body.to) - plan.grasp.base_from_object.translation();
+      if (offset.norm() > max_touch_m) continue;
       if (collision::capsule_solid(body, {target, mesh.get()}, plan.grasp.base_from_object)
               .distance <= 0)
-        return t.time[i] - t.time.front();
+        return time[i] - time.front();
     }
   }
-  return t.time[last] - t.time.front();
+  return time[last] - time.front();
 }
 
 }  // namespace
@@ -90,10 +88,10 @@ double planned_contact_time(const robot::Robot& robot, const Plan& plan,
 PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
                           const SimulateOptions& options) {
   PreparationResult prepared;
-  const int number = target_of(plan);
-  prepared.skip_reason = initial_skip_reason(plan, number, prepared.detail);
+  const int target_index = target_of(plan);
+  prepared.skip_reason = initial_skip_reason(plan, target_index, prepared.detail);
   if (prepared.skip_reason != SkipReason::none) return prepared;
-  const SceneObject& target = plan.scene.objects[number];
+  const SceneObject& target = plan.scene.objects[target_index];
   if (target.shape == Shape::mesh && !collision::mesh_solid_of(target)) {
     prepared.skip_reason = SkipReason::invalid_data;
     prepared.detail = "the target's mesh encloses no volume";
@@ -109,10 +107,10 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
                  servos_of(robot, options),
                  robot_inertias(robot, options.density),
                  &plan.scene,
-                 number,
+                 target_index,
                  vertical_in_base(plan, prepared.notes)};
-  for (std::size_t k = 0; k < plan.scene.objects.size(); ++k) {
-    if (static_cast<int>(k) != number && !is_static_obstacle(ready.world, k))
+  for (int k = 0; k < std::ssize(plan.scene.objects); ++k) {
+    if (k != target_index && !is_static_obstacle(ready.world, k))
       prepared.notes.push_back(
           fmt::format("{} is not simulated: it moves, or is a mesh", plan.scene.objects[k].name));
   }
@@ -135,7 +133,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
             : "the plan has no squeeze: fingers with goals close and press");
   }
   ready.squeeze = std::move(*squeeze);
-  const auto rows = static_cast<Eigen::Index>(std::llround(kLiftTime_s / options.step_s));
+  const Eigen::Index rows = std::lround(kLiftTime_s / options.step_s);
   ready.world.lifts_base = robot.arm_joints.empty();
   if (ready.world.lifts_base) prepared.notes.push_back("a hand without an arm: its base is lifted");
   const std::optional<JointRows> lifting =
@@ -150,7 +148,7 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   }
   ready.program =
       make_servo_commands(robot, plan, ready.world.servos, ready.squeeze, *lifting, options.step_s);
-  ready.planned_contact_s = planned_contact_time(robot, plan, target);
+  ready.planned_contact_s = planned_contact_s(robot, plan, target);
   return prepared;
 }
 

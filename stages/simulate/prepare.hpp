@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "core/motion/enum_names.hpp"
-#include "stages/simulate/rollout.hpp"
+#include "stages/simulate/prepared_plan.hpp"
 
 namespace morphe::simulate {
 
-/// The reason for which a plan cannot be simulated: it is infeasible; it contains no grasp; its
-/// values are not finite or its target's mesh encloses no volume; no two fingers can press against
-/// each other; the arm cannot lift the target.
+/// The reason for which a plan cannot be simulated; invalid_data includes a mesh without a volume.
 enum class SkipReason {
   none,
   infeasible,
@@ -30,7 +28,7 @@ constexpr std::array<std::string_view, 6> names_of(SkipReason) {
 struct PreparationResult {
   PreparedPlan plan;
   SkipReason skip_reason = SkipReason::none;
-  std::string detail;              ///< a sentence; "" if the plan can be simulated
+  std::string detail;              ///< sentence about skip_reason; may be left if it is none
   std::vector<std::string> notes;  ///< assumptions that were made, one sentence each
 };
 

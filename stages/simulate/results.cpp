@@ -34,25 +34,32 @@ Vec3 vector_of(const Json& json) {
   return Vec3(values[0], values[1], values[2]);
 }
 
-Json json_of(const Displacement& way) { return {{"m", way.distance_m}, {"deg", way.angle_deg}}; }
-Displacement way_of(const Json& json) { return {number_at(json, "m"), number_at(json, "deg")}; }
-
-Json json_of(const HoldResult& holding) {
-  return {{"failure", name_of(holding.failure)},
-          {"detail", holding.detail},
-          {"droop", json_of(holding.droop)},
-          {"drift", json_of(holding.drift)},
-          {"in_hand_displacement", json_of(holding.in_hand_displacement)},
-          {"slip_m", holding.slip_m},
-          {"required_force_N", number(holding.required_force_N)}};
+Json json_of(const Displacement& d) { return {{"m", d.distance_m}, {"deg", d.angle_deg}}; }
+Displacement displacement_at(const Json& json, const char* key) {
+  return {number_at(json.at(key), "m"), number_at(json.at(key), "deg")};
 }
 
-HoldResult holding_of(const Json& json) {
-  return {enum_from_name<Failure>(json.at("failure").get<std::string>()).value(),
+template <class Enum>
+Enum enum_at(const Json& json, const char* key) {
+  return enum_from_name<Enum>(json.at(key).get<std::string>()).value();
+}
+
+Json json_of(const HoldResult& hold) {
+  return {{"failure", name_of(hold.failure)},
+          {"detail", hold.detail},
+          {"droop", json_of(hold.droop)},
+          {"drift", json_of(hold.drift)},
+          {"in_hand_displacement", json_of(hold.in_hand_displacement)},
+          {"slip_m", hold.slip_m},
+          {"required_force_N", number(hold.required_force_N)}};
+}
+
+HoldResult hold_result_of(const Json& json) {
+  return {enum_at<Failure>(json, "failure"),
           json.at("detail").get<std::string>(),
-          way_of(json.at("droop")),
-          way_of(json.at("drift")),
-          way_of(json.at("in_hand_displacement")),
+          displacement_at(json, "droop"),
+          displacement_at(json, "drift"),
+          displacement_at(json, "in_hand_displacement"),
           number_at(json, "slip_m"),
           newtons_of(json.at("required_force_N"))};
 }
@@ -60,9 +67,9 @@ HoldResult holding_of(const Json& json) {
 /// Returns the matrix, row by row, because a quaternion would not restore the last digits.
 Json json_of(const Pose& pose) {
   Json rows = Json::array();
-  for (Eigen::Index r = 0; r < 4; ++r) {
+  for (int r = 0; r < 4; ++r) {
     Json row = Json::array();
-    for (Eigen::Index c = 0; c < 4; ++c) row.push_back(pose.matrix()(r, c));
+    for (int c = 0; c < 4; ++c) row.push_back(pose.matrix()(r, c));
     rows.push_back(row);
   }
   return rows;
@@ -70,20 +77,19 @@ Json json_of(const Pose& pose) {
 
 Pose pose_of(const Json& json) {
   Pose pose;
-  for (Eigen::Index r = 0; r < 4; ++r) {
-    for (Eigen::Index c = 0; c < 4; ++c) pose.matrix()(r, c) = json.at(r).at(c).get<double>();
-  }
+  for (int r = 0; r < 4; ++r)
+    for (int c = 0; c < 4; ++c) pose.matrix()(r, c) = json.at(r).at(c).get<double>();
   return pose;
 }
 
 Json json_of(const Rollout& rollout) {
-  const Variation& varied = rollout.variation;
+  const Variation& variation = rollout.variation;
   Json directions = Json::array();
-  for (const HoldResult& holding : rollout.load_directions) directions.push_back(json_of(holding));
-  return {{"friction", varied.friction},
-          {"torsional_friction_m", varied.torsional_friction_m},
-          {"mass_kg", varied.mass_kg},
-          {"base_from_target", json_of(varied.base_from_target)},
+  for (const HoldResult& hold : rollout.load_directions) directions.push_back(json_of(hold));
+  return {{"friction", variation.friction},
+          {"torsional_friction_m", variation.torsional_friction_m},
+          {"mass_kg", variation.mass_kg},
+          {"base_from_target", json_of(variation.base_from_target)},
           {"arm_error", rollout.arm_error},
           {"hand_error", rollout.hand_error},
           {"contact_s", number(rollout.contact_s)},
@@ -104,15 +110,15 @@ Rollout rollout_of(const Json& json) {
   rollout.arm_error = number_at(json, "arm_error");
   rollout.hand_error = number_at(json, "hand_error");
   rollout.contact_s = value_of(json.at("contact_s"));
-  rollout.pregrasp_displacement = way_of(json.at("pregrasp_displacement"));
+  rollout.pregrasp_displacement = displacement_at(json, "pregrasp_displacement");
   rollout.torque_ratio = number_at(json, "torque_ratio");
   rollout.commanded_force_N = number_at(json, "commanded_force_N");
   rollout.required_force_worst_N = newtons_of(json.at("required_force_worst_N"));
   rollout.required_force_gravity_N = newtons_of(json.at("required_force_gravity_N"));
   rollout.measured_force_N = json.at("measured_force_N").get<std::vector<double>>();
-  rollout.lift = holding_of(json.at("lift"));
-  for (const Json& holding : json.at("load_directions"))
-    rollout.load_directions.push_back(holding_of(holding));
+  rollout.lift = hold_result_of(json.at("lift"));
+  for (const Json& hold : json.at("load_directions"))
+    rollout.load_directions.push_back(hold_result_of(hold));
   return rollout;
 }
 
@@ -120,26 +126,23 @@ PlanResult result_of(const Json& json) {
   PlanResult result;
   result.plan = json.at("plan").get<std::string>();
   result.plan_sha256 = json.at("plan_sha256").get<std::string>();
-  result.skip_reason =
-      enum_from_name<SkipReason>(json.at("skip_reason").get<std::string>()).value();
+  result.skip_reason = enum_at<SkipReason>(json, "skip_reason");
   result.detail = json.at("detail").get<std::string>();
   result.notes = json.at("notes").get<std::vector<std::string>>();
   for (const Json& press : json.at("finger_forces")) {
     result.tips.push_back(press.at("tip_name").get<std::string>());
-    result.finger_forces.push_back({press.at("tip").get<std::size_t>(),
-                                    vector_of(press.at("point")), vector_of(press.at("normal")),
-                                    number_at(press, "force_N"),
+    result.finger_forces.push_back({press.at("tip").get<int>(), vector_of(press.at("point")),
+                                    vector_of(press.at("normal")), number_at(press, "force_N"),
                                     vector_of(press.at("friction_force_N"))});
   }
-  result.contact_source =
-      enum_from_name<ContactSource>(json.at("contact_source").get<std::string>()).value();
+  result.contact_source = enum_at<ContactSource>(json, "contact_source");
   result.force_scale = number_at(json, "force_scale");
   result.planned_contact_s = value_of(json.at("planned_contact_s"));
   for (const Json& rollout : json.at("rollouts")) result.rollouts.push_back(rollout_of(rollout));
   return result;
 }
 
-double largest_of(const std::vector<double>& values) {
+double max_or_zero(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::ranges::max_element(values);
 }
 
@@ -156,7 +159,7 @@ std::string csv_cell(const std::string& text) {
 std::string result_json(const PlanResult& result, const SimulateOptions& options,
                         const std::string& key) {
   Json finger_forces = Json::array(), rollouts = Json::array();
-  for (std::size_t k = 0; k < result.finger_forces.size(); ++k) {
+  for (int k = 0; k < std::ssize(result.finger_forces); ++k) {
     const FingerForce& press = result.finger_forces[k];
     finger_forces.push_back({{"tip", press.tip},
                              {"tip_name", result.tips[k]},
@@ -198,7 +201,7 @@ std::optional<PlanResult> read_result(const std::filesystem::path& file, const s
     const Json json = Json::parse(text);
     if (json.at("input_sha256") != key) return std::nullopt;
     return result_of(json);
-    // written by another version or by another program, to be recomputed
+    // A file of another version or program counts as missing.
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -230,12 +233,12 @@ std::string csv_header() {
 std::string csv_rows(const PlanResult& result) {
   std::string rows;
   const std::string plan = csv_cell(result.plan);
-  for (std::size_t k = 0; k < result.rollouts.size(); ++k) {
+  for (int k = 0; k < std::ssize(result.rollouts); ++k) {
     const Rollout& one = result.rollouts[k];
     const HoldResult& lift = one.lift;
     std::string directions;
-    for (const HoldResult& holding : one.load_directions)
-      directions += fmt::format("{}{}", directions.empty() ? "" : " ", name_of(holding.failure));
+    for (const HoldResult& hold : one.load_directions)
+      directions += fmt::format("{}{}", directions.empty() ? "" : " ", name_of(hold.failure));
     fmt::format_to(
         std::back_inserter(rows),
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
@@ -247,11 +250,11 @@ std::string csv_rows(const PlanResult& result) {
         lift.slip_m, lift.drift.distance_m, lift.drift.angle_deg,
         lift.in_hand_displacement.distance_m, lift.in_hand_displacement.angle_deg, one.torque_ratio,
         name_of(result.contact_source), one.required_force_worst_N, one.required_force_gravity_N,
-        lift.required_force_N, one.commanded_force_N, largest_of(one.measured_force_N),
+        lift.required_force_N, one.commanded_force_N, max_or_zero(one.measured_force_N),
         one.predicts_hold(lift) ? 1 : 0, directions);
   }
   if (result.rollouts.empty()) {
-    // As many empty cells as there are columns besides plan, rollout and the two verdicts.
+    // An empty cell for each column but plan, rollout, held and failure.
     rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.skip_reason), std::string(25, ','));
   }
   return rows;

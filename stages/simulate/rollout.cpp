@@ -13,31 +13,29 @@
 namespace morphe::simulate {
 namespace {
 
-/// number of steps between two evaluations of the target
-constexpr Eigen::Index kMonitorIntervalSteps = 5;
-constexpr double kTorqueLimitRatio = 0.999;  ///< share of a motor's torque limit
+constexpr int kMonitorIntervalSteps = 5;  ///< between two evaluations of the target
+/// Share of a motor's torque limit from which it counts as at the limit.
+constexpr double kTorqueLimitRatio = 0.999;
 
 /// Returns the height of a hand's base, along the same curve as the palm's in plan_lift().
 double base_height(const ServoCommands& program, Eigen::Index row) {
-  const double done = static_cast<double>(row + 1 - program.grasp_end) /
-                      static_cast<double>(program.lift_end - program.grasp_end);
-  return kLiftHeight_m * minimum_jerk(std::clamp(done, 0.0, 1.0));
+  const double progress = static_cast<double>(row + 1 - program.grasp_end) /
+                          static_cast<double>(program.lift_end - program.grasp_end);
+  return kLiftHeight_m * minimum_jerk(std::clamp(progress, 0.0, 1.0));
 }
-
-/// A model and its state, driven by the rows of a program.
 class Simulation {
  public:
   Simulation(const PreparedPlan& plan, const Variation& variation, const SimulateOptions& options,
-             Environment around)
+             Environment environment)
       : plan_(plan),
-        model_(mjcf_text(plan.world, variation, options, around)),
+        model_(mjcf_text(plan.world, variation, options, environment)),
         parts_(model_, *plan.robot, plan.world.lifts_base),
         state_(model_),
         motor_frames_(motor_frames(*plan.robot)) {}
 
   void start() {
     const RobotModel& robot = *plan_.robot;
-    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+    for (int f = 0; f < std::ssize(robot.frames); ++f) {
       const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint >= 0)
         state_.set_joint(parts_.joints[f],
@@ -47,23 +45,22 @@ class Simulation {
   }
 
   std::optional<std::string> step(Eigen::Index row) {
-    for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
+    for (int j = 0; j < std::ssize(parts_.motors); ++j) {
       const RobotModel::Frame& motor = motor_of(j);
-      const double q = plan_.program.control(row, j);
-      state_.set_control(parts_.motors[j], motor.ratio * q + motor.offset);
+      state_.set_control(parts_.motors[j],
+                         motor.ratio * plan_.program.control(row, j) + motor.offset);
     }
     set_feedforward_acceleration(row);
     if (parts_.base_motor >= 0)
       state_.set_control(parts_.base_motor, base_height(plan_.program, row));
-    const std::optional<std::string> wrong = state_.step();
-    if (!wrong) update_torque_ratio();
-    return wrong;
+    std::optional<std::string> problem = state_.step();
+    if (!problem) update_torque_ratio();
+    return problem;
   }
 
-  double position(std::size_t joint) const {
+  double position(int joint) const {
     const RobotModel::Frame& motor = motor_of(joint);
-    const int number = parts_.joints[motor_frames_[joint]];
-    return (state_.joint(number) - motor.offset) / motor.ratio;
+    return (state_.joint(parts_.joints[motor_frames_[joint]]) - motor.offset) / motor.ratio;
   }
 
   Pose target() const { return state_.body(parts_.target_body); }
@@ -71,7 +68,7 @@ class Simulation {
   const ModelIds& parts() const { return parts_; }
   double torque_ratio() const { return torque_ratio_; }
   bool finger_at_limit() const { return finger_at_limit_; }
-  const RobotModel::Frame& motor_of(std::size_t joint) const {
+  const RobotModel::Frame& motor_of(int joint) const {
     return plan_.robot->frames[motor_frames_[joint]];
   }
 
@@ -79,7 +76,7 @@ class Simulation {
   void set_feedforward_acceleration(Eigen::Index row) {
     if (row > plan_.program.tracking_end) return;  // targets remain constant once set
     const RobotModel& robot = *plan_.robot;
-    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+    for (int f = 0; f < std::ssize(robot.frames); ++f) {
       const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint < 0) continue;
       const double joint =
@@ -90,13 +87,13 @@ class Simulation {
 
   void update_torque_ratio() {
     finger_at_limit_ = false;
-    for (std::size_t j = 0; j < parts_.motors.size(); ++j) {
+    for (int j = 0; j < std::ssize(parts_.motors); ++j) {
+      const int motor = parts_.motors[j];
       const double limit = plan_.world.servos[j].torque_limit;
-      torque_ratio_ =
-          std::max(torque_ratio_, std::abs(state_.applied_force(parts_.motors[j])) / limit);
-      if (std::ranges::count(plan_.robot->arm_joints, static_cast<int>(j)) > 0) continue;
-      finger_at_limit_ = finger_at_limit_ || std::abs(state_.commanded_force(parts_.motors[j])) >=
-                                                 kTorqueLimitRatio * limit;
+      torque_ratio_ = std::max(torque_ratio_, std::abs(state_.applied_force(motor)) / limit);
+      if (std::ranges::count(plan_.robot->arm_joints, j) > 0) continue;
+      if (std::abs(state_.commanded_force(motor)) >= kTorqueLimitRatio * limit)
+        finger_at_limit_ = true;
     }
   }
 
@@ -109,70 +106,57 @@ class Simulation {
   bool finger_at_limit_ = false;
 };
 
-HoldResult engine_failure(const std::string& words) {
-  HoldResult holding;
-  holding.failure = Failure::engine_error;
-  holding.detail = words;
-  return holding;
+HoldResult engine_failure(const std::string& message) {
+  HoldResult result;
+  result.failure = Failure::engine_error;
+  result.detail = message;
+  return result;
 }
-
-/// Updates the largest tracking errors [degrees, or mm for a prismatic joint].
 void update_tracking_error(const PreparedPlan& plan, const Simulation& simulation, Eigen::Index row,
                            Rollout& rollout) {
-  const robot::Robot& robot = *plan.robot;
-  for (std::size_t j = 0; j < robot.joints(); ++j) {
+  for (int j = 0; j < plan.program.reference.cols(); ++j) {
     const bool slides = simulation.motor_of(j).prismatic;
     const double error = std::abs(simulation.position(j) - plan.program.reference(row, j)) *
                          (slides ? 1000 : 1 / kRadPerDegree);
-    double& largest = std::ranges::count(robot.arm_joints, static_cast<int>(j)) > 0
-                          ? rollout.arm_error
-                          : rollout.hand_error;
-    largest = std::max(largest, error);
+    const bool of_arm = std::ranges::count(plan.robot->arm_joints, j) > 0;
+    double& max_error = of_arm ? rollout.arm_error : rollout.hand_error;
+    max_error = std::max(max_error, error);
   }
 }
-
-/// Returns the normal force of the last link of each pressing finger.
 std::vector<double> measured_forces(const PreparedPlan& plan,
-                                    const std::vector<TargetContact>& grips) {
+                                    const std::vector<TargetContact>& contacts) {
   const RobotModel& robot = *plan.robot;
   std::vector<double> forces;
-  for (const FingerForce& press : plan.squeeze.finger_forces) {
-    const int link = robot::moving_frame_of(robot, robot.tips[press.tip].frame);
+  for (const FingerForce& finger : plan.squeeze.finger_forces) {
+    const int link = robot::moving_frame_of(robot, robot.tips[finger.tip].frame);
     double force = 0;
-    for (const TargetContact& grip : grips) {
-      if (robot::moving_frame_of(robot, robot.capsules[grip.capsule].frame) == link)
-        force += grip.force_N;
-    }
+    for (const TargetContact& contact : contacts)
+      if (robot::moving_frame_of(robot, robot.capsules[contact.capsule].frame) == link)
+        force += contact.force_N;
     forces.push_back(force);
   }
   return forces;
 }
-
-bool exceeds_tracking_tolerance(const Rollout& rollout) {
-  return rollout.arm_error > kArmTrackingTolerance_deg ||
-         rollout.hand_error > kHandTrackingTolerance_deg;
-}
-
-/// Returns the reason for which the hand has not grasped the target, if there is one.
 Failure grasp_failure(const Rollout& rollout, bool displaced_before, bool opposed) {
   const bool displaced = rollout.pregrasp_displacement.distance_m > kMaxPregraspDisplacement_m;
   if (!displaced && opposed) return Failure::none;
-  if (exceeds_tracking_tolerance(rollout)) return Failure::tracking_error;
+  if (rollout.arm_error > kArmTrackingTolerance_deg ||
+      rollout.hand_error > kHandTrackingTolerance_deg)
+    return Failure::tracking_error;
   if (displaced_before) return Failure::displaced_before_closing;
   if (displaced) return Failure::displaced_while_closing;
   return std::isnan(rollout.contact_s) ? Failure::no_touch : Failure::no_opposing_contacts;
 }
 
-/// Executes the trajectory and the squeeze. Returns false if the rollout ends here, with the reason
-/// in `lift`.
+/// Executes the trajectory and the squeeze. Returns false, with the reason in `lift`, if it failed.
 bool execute_grasp(const PreparedPlan& plan, const SimulateOptions& options, Simulation& simulation,
                    Rollout& rollout) {
   std::vector<physics::GeomContact> touches;
-  const Pose placed = simulation.target();
+  const Pose start = simulation.target();
   bool displaced_before = false;
   for (Eigen::Index row = 0; row < plan.program.grasp_end; ++row) {
-    if (const auto wrong = simulation.step(row)) {
-      rollout.lift = engine_failure(*wrong);
+    if (const auto problem = simulation.step(row)) {
+      rollout.lift = engine_failure(*problem);
       return false;
     }
     if (std::isnan(rollout.contact_s)) {
@@ -181,32 +165,28 @@ bool execute_grasp(const PreparedPlan& plan, const SimulateOptions& options, Sim
       else if (row < plan.program.tracking_end)
         update_tracking_error(plan, simulation, row, rollout);
     }
-    const Displacement way = displacement_between(placed, simulation.target());
-    rollout.pregrasp_displacement.distance_m =
-        std::max(rollout.pregrasp_displacement.distance_m, way.distance_m);
-    rollout.pregrasp_displacement.angle_deg =
-        std::max(rollout.pregrasp_displacement.angle_deg, way.angle_deg);
+    update_maximum(displacement_between(start, simulation.target()), rollout.pregrasp_displacement);
     if (row + 1 == plan.program.tracking_end)
       displaced_before = rollout.pregrasp_displacement.distance_m > kMaxPregraspDisplacement_m;
   }
-  const std::vector<TargetContact> grips =
+  const std::vector<TargetContact> contacts =
       target_contacts(simulation.state(), simulation.parts(), touches);
-  rollout.measured_force_N = measured_forces(plan, grips);
-  rollout.lift.failure = grasp_failure(rollout, displaced_before, has_opposing_contacts(grips));
+  rollout.measured_force_N = measured_forces(plan, contacts);
+  rollout.lift.failure = grasp_failure(rollout, displaced_before, has_opposing_contacts(contacts));
   return rollout.lift.is_held();
 }
 
 HoldResult lift_and_hold(const PreparedPlan& plan, const SimulateOptions& options,
                          Simulation& simulation) {
-  HoldMonitor watch(*plan.robot, simulation.parts(), simulation.state());
+  HoldMonitor monitor(*plan.robot, simulation.parts(), simulation.state());
   for (Eigen::Index row = plan.program.grasp_end; row < plan.program.hold_end; ++row) {
-    if (const auto wrong = simulation.step(row)) return engine_failure(*wrong);
+    if (const auto problem = simulation.step(row)) return engine_failure(*problem);
     if ((row + 1) % kMonitorIntervalSteps != 0 && row + 1 != plan.program.hold_end) continue;
-    const double since_s = static_cast<double>(row + 1 - plan.program.lift_end) * options.step_s;
-    watch.update(simulation.state(), since_s >= kDroopTime_s, simulation.finger_at_limit());
-    if (watch.failed()) break;
+    const double lifted_s = static_cast<double>(row + 1 - plan.program.lift_end) * options.step_s;
+    monitor.update(simulation.state(), lifted_s >= kDroopTime_s, simulation.finger_at_limit());
+    if (monitor.failed()) break;
   }
-  return watch.result();
+  return monitor.result();
 }
 
 /// Applies the weight along one direction, ramped over kLoadRampTime_s and then constant.
@@ -214,48 +194,48 @@ HoldResult apply_load(const PreparedPlan& plan, const Variation& variation,
                       const SimulateOptions& options, const physics::Snapshot& squeezed,
                       const Vec3& direction, Simulation& simulation) {
   simulation.state().restore(squeezed);
-  simulation.state().update_poses();
+  simulation.state().update_poses();  // the monitor needs poses; they change the warm start
   simulation.state().restore(squeezed);
-  HoldMonitor watch(*plan.robot, simulation.parts(), simulation.state());
+  HoldMonitor monitor(*plan.robot, simulation.parts(), simulation.state());
   const Vec3 weight =
       variation.mass_kg * kGravity_m_s2 * (variation.base_from_target.linear() * direction);
-  const auto steps = static_cast<Eigen::Index>(std::llround(kLoadTime_s / options.step_s));
-  for (Eigen::Index k = 0; k < steps; ++k) {
-    const double at_s = static_cast<double>(k + 1) * options.step_s;
+  const Eigen::Index steps = std::lround(kLoadTime_s / options.step_s);
+  for (int k = 0; k < steps; ++k) {
+    const double loaded_s = (k + 1) * options.step_s;
     simulation.state().apply_force(simulation.parts().target_body,
-                                   std::min(1.0, at_s / kLoadRampTime_s) * weight);
-    if (const auto wrong = simulation.step(plan.program.grasp_end - 1))
-      return engine_failure(*wrong);
+                                   std::min(1.0, loaded_s / kLoadRampTime_s) * weight);
+    if (const auto problem = simulation.step(plan.program.grasp_end - 1))
+      return engine_failure(*problem);
     if ((k + 1) % kMonitorIntervalSteps != 0 && k + 1 != steps) continue;
-    watch.update(simulation.state(), at_s >= kLoadRampTime_s + kDroopTime_s,
-                 simulation.finger_at_limit());
-    if (watch.failed()) break;
+    monitor.update(simulation.state(), loaded_s >= kLoadRampTime_s + kDroopTime_s,
+                   simulation.finger_at_limit());
+    if (monitor.failed()) break;
   }
-  return watch.result();
+  return monitor.result();
 }
 
 std::vector<HoldResult> test_six_directions(const PreparedPlan& plan, const Variation& variation,
                                             const SimulateOptions& options,
                                             const physics::Snapshot& squeezed) {
-  std::vector<HoldResult> holdings;
+  std::vector<HoldResult> results;
   for (int axis = 0; axis < 3; ++axis) {
     for (const double sign : {-1.0, 1.0}) {
       Simulation simulation(plan, variation, options, Environment::none);
-      holdings.push_back(
+      results.push_back(
           apply_load(plan, variation, options, squeezed, sign * Vec3::Unit(axis), simulation));
     }
   }
-  return holdings;
+  return results;
 }
 
-void add_predicted_forces(const PreparedPlan& plan, Rollout& rollout) {
-  const PredictedForces predicted = predict_forces(plan, rollout.variation);
-  rollout.commanded_force_N = predicted.commanded_N;
-  rollout.required_force_worst_N = predicted.worst_N;
-  rollout.required_force_gravity_N = predicted.gravity_N;
-  rollout.lift.required_force_N = predicted.lift_N;
-  for (std::size_t k = 0; k < rollout.load_directions.size(); ++k)
-    rollout.load_directions[k].required_force_N = predicted.along_axes_N[k];
+void add_required_forces(const PreparedPlan& plan, Rollout& rollout) {
+  const RequiredForces required = required_forces(plan, rollout.variation);
+  rollout.commanded_force_N = required.commanded_N;
+  rollout.required_force_worst_N = required.worst_N;
+  rollout.required_force_gravity_N = required.gravity_N;
+  rollout.lift.required_force_N = required.lift_N;
+  for (int k = 0; k < std::ssize(rollout.load_directions); ++k)
+    rollout.load_directions[k].required_force_N = required.along_axes_N[k];
 }
 
 }  // namespace
@@ -277,7 +257,7 @@ Rollout roll_out(const PreparedPlan& plan, const Variation& variation,
   } catch (const physics::EngineError& error) {
     rollout.lift = engine_failure(error.what());
   }
-  add_predicted_forces(plan, rollout);
+  add_required_forces(plan, rollout);
   return rollout;
 }
 

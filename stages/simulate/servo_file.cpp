@@ -10,14 +10,14 @@
 namespace morphe::simulate {
 
 std::string validation_error(const ServoGains& o) {
-  const auto wrong = [](const std::optional<double>& value, bool may_be_zero) {
+  const auto is_invalid = [](const std::optional<double>& value, bool may_be_zero) {
     return value && !(std::isfinite(*value) && (*value > 0 || (may_be_zero && *value == 0)));
   };
-  if (wrong(o.stiffness, false)) return "stiffness must be above 0";
-  if (wrong(o.velocity_gain, true)) return "velocity_gain must not be negative";
-  if (wrong(o.armature, true)) return "armature must not be negative";
-  if (wrong(o.damping, true)) return "damping must not be negative";
-  if (wrong(o.torque_limit, false)) return "torque_limit must be above 0";
+  if (is_invalid(o.stiffness, false)) return "stiffness must be above 0";
+  if (is_invalid(o.velocity_gain, true)) return "velocity_gain must not be negative";
+  if (is_invalid(o.armature, true)) return "armature must not be negative";
+  if (is_invalid(o.damping, true)) return "damping must not be negative";
+  if (is_invalid(o.torque_limit, false)) return "torque_limit must be above 0";
   return "";
 }
 
@@ -29,10 +29,9 @@ ServoTable read_servos(const std::filesystem::path& file, const RobotModel& robo
   for (const std::string& joint : root.keys()) {
     problems.attempt([&] {
       const config::ConfigNode node = root[joint];
-      if (std::ranges::count(robot.joint_names, joint) == 0) {
+      if (std::ranges::count(robot.joint_names, joint) == 0)
         node.fail(fmt::format("is not a joint of {}; its joints are {}", robot.name,
                               fmt::join(robot.joint_names, ", ")));
-      }
       config::read_options(node, table[joint]);
     });
   }

@@ -13,7 +13,7 @@ namespace morphe::simulate {
 struct ServoGains {
   std::optional<double> stiffness, velocity_gain;  ///< [N m/rad, N m s/rad], or [N/m, N s/m]
   std::optional<double> armature, damping;         ///< [kg m^2, N m s/rad], or [kg, N s/m]
-  std::optional<double> torque_limit;              ///< limit [N m] or [N]
+  std::optional<double> torque_limit;              ///< [N m] or [N]
 };
 template <class Fields>
 void fields(Fields& f, ServoGains& o) {
@@ -28,9 +28,8 @@ std::string validation_error(const ServoGains& gains);
 
 using ServoTable = std::map<std::string, ServoGains>;  ///< by joint name
 
-/// Reads a YAML file: joint: {stiffness: …, velocity_gain: …, armature: …, damping: …,
-/// torque_limit: …}, all of them optional. Throws InputError for an unknown joint, an unknown key
-/// or an invalid value.
+/// Reads a YAML file with a map for each joint. Throws InputError for unknown joints or keys and
+/// for invalid values.
 ServoTable read_servos(const std::filesystem::path& file, const RobotModel& robot);
 
 /// Returns the table as text, "joint stiffness 12 …", one line per joint.

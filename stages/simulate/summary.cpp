@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 #include <vector>
 
@@ -11,25 +10,14 @@
 namespace morphe::simulate {
 namespace {
 
-std::vector<double> rollout_values(const PlanResult& result,
-                                   const std::function<double(const Rollout&)>& of) {
+using Quantity = double (*)(const Rollout&);
+
+std::vector<double> values_of(const PlanResult& result, bool only_held, Quantity quantity) {
   std::vector<double> values;
-  for (const Rollout& one : result.rollouts) {
-    if (one.lift.failure != Failure::engine_error) values.push_back(of(one));
-  }
+  for (const Rollout& one : result.rollouts)
+    if (only_held ? one.lift.is_held() : one.lift.failure != Failure::engine_error)
+      values.push_back(quantity(one));
   return values;
-}
-
-double max_or_nan(const std::vector<double>& values) {
-  return values.empty() ? kUnknown : *std::ranges::max_element(values);
-}
-
-double median_of_held(const PlanResult& result, const std::function<double(const Rollout&)>& of) {
-  std::vector<double> values;
-  for (const Rollout& one : result.rollouts) {
-    if (one.lift.is_held()) values.push_back(of(one));
-  }
-  return math::median(std::move(values));
 }
 
 }  // namespace
@@ -41,31 +29,29 @@ SimulationSummary summarise(const PlanResult& result) {
     if (!one.lift.is_held()) ++figures.failures[std::string(name_of(one.lift.failure))];
     figures.correct_predictions.add(one, one.lift);
     figures.load_directions += one.load_directions.size();
-    for (const HoldResult& holding : one.load_directions) {
-      figures.load_directions_held += holding.is_held() ? 1U : 0U;
-      if (!holding.is_held()) ++figures.direction_failures[std::string(name_of(holding.failure))];
+    for (const HoldResult& hold : one.load_directions) {
+      figures.load_directions_held += hold.is_held() ? 1U : 0U;
+      if (!hold.is_held()) ++figures.direction_failures[std::string(name_of(hold.failure))];
     }
   }
-  figures.droop_m =
-      median_of_held(result, [](const Rollout& r) { return r.lift.droop.distance_m; });
-  figures.slip_m = median_of_held(result, [](const Rollout& r) { return r.lift.slip_m; });
-  figures.drift_m =
-      median_of_held(result, [](const Rollout& r) { return r.lift.drift.distance_m; });
-  figures.arm_error =
-      max_or_nan(rollout_values(result, [](const Rollout& r) { return r.arm_error; }));
-  figures.hand_error =
-      max_or_nan(rollout_values(result, [](const Rollout& r) { return r.hand_error; }));
-  figures.torque_ratio =
-      max_or_nan(rollout_values(result, [](const Rollout& r) { return r.torque_ratio; }));
-  figures.required_force_N = math::median(
-      rollout_values(result, [](const Rollout& r) { return r.lift.required_force_N; }));
-  figures.commanded_force_N =
-      math::median(rollout_values(result, [](const Rollout& r) { return r.commanded_force_N; }));
-  std::vector<double> late;
-  for (const Rollout& one : result.rollouts) {
-    if (std::isfinite(one.contact_s)) late.push_back(one.contact_s - result.planned_contact_s);
-  }
-  figures.contact_delay_s = math::median(std::move(late));
+  const auto median_held = [&](Quantity q) { return math::median(values_of(result, true, q)); };
+  const auto median = [&](Quantity q) { return math::median(values_of(result, false, q)); };
+  const auto maximum = [&](Quantity q) {
+    const std::vector<double> values = values_of(result, false, q);
+    return values.empty() ? kUnknown : *std::ranges::max_element(values);
+  };
+  figures.droop_m = median_held([](const Rollout& r) { return r.lift.droop.distance_m; });
+  figures.slip_m = median_held([](const Rollout& r) { return r.lift.slip_m; });
+  figures.drift_m = median_held([](const Rollout& r) { return r.lift.drift.distance_m; });
+  figures.arm_error = maximum([](const Rollout& r) { return r.arm_error; });
+  figures.hand_error = maximum([](const Rollout& r) { return r.hand_error; });
+  figures.torque_ratio = maximum([](const Rollout& r) { return r.torque_ratio; });
+  figures.required_force_N = median([](const Rollout& r) { return r.lift.required_force_N; });
+  figures.commanded_force_N = median([](const Rollout& r) { return r.commanded_force_N; });
+  std::vector<double> delays;
+  for (const Rollout& one : result.rollouts)
+    if (std::isfinite(one.contact_s)) delays.push_back(one.contact_s - result.planned_contact_s);
+  figures.contact_delay_s = math::median(std::move(delays));
   return figures;
 }
 

@@ -7,11 +7,9 @@
 
 namespace morphe::simulate {
 
-/// number of failures by cause
-using FailureCounts = std::map<std::string, int>;
+using FailureCounts = std::map<std::string, int>;  ///< by cause
 
-/// The number of loads for which the force prediction was correct, among the loads that were
-/// applied.
+/// The number of applied loads, and of those for which the required force told hold from fall.
 struct PredictionCount {
   std::size_t correct_count = 0, total = 0;
   /// Counts a load, if it was applied.
@@ -25,11 +23,9 @@ struct PredictionCount {
 /// The summary of a plan's rollouts. NaN if there are no rollouts to which a value applies.
 struct SimulationSummary {
   std::size_t held = 0, load_directions_held = 0, load_directions = 0;
-  /// medians over the held rollouts
-  double droop_m = kUnknown, slip_m = kUnknown, drift_m = kUnknown;
+  double droop_m = kUnknown, slip_m = kUnknown, drift_m = kUnknown;  ///< medians of held rollouts
   double arm_error = kUnknown, hand_error = kUnknown, torque_ratio = kUnknown;  ///< largest
-  /// median of the actual minus the planned time of first contact
-  double contact_delay_s = kUnknown;
+  double contact_delay_s = kUnknown;  ///< median time of the first touch less the planned time
   double required_force_N = kUnknown, commanded_force_N = kUnknown;  ///< medians, during the lift
   PredictionCount correct_predictions;                               ///< predictions for the lift
   FailureCounts failures, direction_failures;

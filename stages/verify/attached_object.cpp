@@ -2,41 +2,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "stages/verify/find_index.hpp"
 #include "stages/verify/frame_poses.hpp"
 
 namespace morphe::verify {
 
 AttachedObject find_attached_object(const RobotModel& robot, const Plan& plan,
                                     const Trajectory& trajectory) {
-  const auto& objects = plan.scene.objects;
-  const auto target = std::ranges::find(objects, plan.movement.target, &SceneObject::name);
-  if (target == objects.end() || std::isnan(target->attach_s)) return {};
-  const auto frame =
-      std::ranges::find(robot.frames, target->attached_frame, &RobotModel::Frame::name);
+  const std::vector<SceneObject>& objects = plan.scene.objects;
+  AttachedObject attached;
+  attached.object = find_index(objects, plan.movement.target, &SceneObject::name);
+  if (attached.object < 0 || std::isnan(objects[attached.object].attach_s)) return {};
+  const SceneObject& target = objects[attached.object];
+  attached.frame = find_index(robot.frames, target.attached_frame, &RobotModel::Frame::name);
   const std::vector<double>& time = trajectory.demonstration_time;
-  const auto taken = std::ranges::lower_bound(time, target->attach_s);
-  if (frame == robot.frames.end() || taken == time.end() || *taken >= time.back()) return {};
+  const auto attach = std::ranges::lower_bound(time, target.attach_s);
+  if (attached.frame < 0 || attach == time.end() || *attach >= time.back()) return {};
 
-  AttachedObject carried;
-  carried.object = static_cast<int>(target - objects.begin());
-  carried.frame = static_cast<int>(frame - robot.frames.begin());
-  carried.attach_s = *taken;
-  carried.release_s = std::numeric_limits<double>::infinity();
   std::vector<Pose> base_from_frame;
-  const auto hand_at = [&](auto sample) -> const Pose& {
+  const auto base_from_hand = [&](auto sample) -> const Pose& {
     frame_poses(robot, trajectory.position.row(sample - time.begin()).transpose(), base_from_frame);
-    return base_from_frame[carried.frame];
+    return base_from_frame[attached.frame];
   };
-  carried.frame_from_object = hand_at(taken).inverse() * recorded_pose(*target, *taken);
-  const auto released = std::isnan(target->release_s)
-                            ? time.end()
-                            : std::ranges::lower_bound(time, target->release_s);
-  if (released == time.end()) return carried;
-  carried.release_s = *released;
-  carried.base_from_released_object = hand_at(released) * carried.frame_from_object;
-  return carried;
+  attached.attach_s = *attach;
+  attached.release_s = kInfinity;
+  attached.frame_from_object = base_from_hand(attach).inverse() * recorded_pose(target, *attach);
+  if (std::isnan(target.release_s)) return attached;
+  const auto release = std::ranges::lower_bound(time, target.release_s);
+  if (release == time.end()) return attached;
+  attached.release_s = *release;
+  attached.base_from_released_object = base_from_hand(release) * attached.frame_from_object;
+  return attached;
 }
 
 }  // namespace morphe::verify

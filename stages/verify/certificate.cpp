@@ -11,17 +11,16 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kClearanceTolerance_m = 1e-4, kCertificateTolerance = 1e-9;
-/// accuracy to which both programs find the use of braking curves
+/// Tolerance of velocity_ratio with braking curves, whose use certify and verify each find to 1e-6.
 constexpr double kBrakingRatioTolerance = 3e-6;
 
-/// Returns the error of the largest jerk that rounding of the stored positions alone causes: the
-/// quintic's coefficient is 60 of their differences divided by the third power of the step.
-double jerk_rounding(const RobotModel& robot, const Trajectory& t) {
-  double step_s = t.time.back();
-  for (std::size_t i = 0; i + 1 < t.samples(); ++i) {
-    step_s = std::min(step_s, t.time[i + 1] - t.time[i]);
-  }
-  return 60 * std::numeric_limits<double>::epsilon() * t.position.cwiseAbs().maxCoeff() /
+/// Returns the error of jerk_ratio that rounding of the stored positions alone causes: the jerk
+/// contains 60 times their differences, divided by the third power of the step.
+double jerk_rounding(const RobotModel& robot, const Trajectory& trajectory) {
+  const std::vector<double>& time = trajectory.time;
+  double step_s = time.back();
+  for (int i = 1; i < std::ssize(time); ++i) step_s = std::min(step_s, time[i] - time[i - 1]);
+  return 60 * std::numeric_limits<double>::epsilon() * trajectory.position.cwiseAbs().maxCoeff() /
          (std::pow(step_s, 3) * robot.jerk.minCoeff());
 }
 
@@ -37,9 +36,8 @@ double mapped_humanlikeness(const JointRows& humanlikeness) {
 }
 
 bool agree(double stored, double recomputed, double tolerance) {
-  if (std::isnan(stored) || std::isnan(recomputed))
-    return std::isnan(stored) == std::isnan(recomputed);
-  return stored == recomputed || std::abs(stored - recomputed) <= tolerance;
+  return stored == recomputed || (std::isnan(stored) && std::isnan(recomputed)) ||
+         std::abs(stored - recomputed) <= tolerance;
 }
 
 }  // namespace
@@ -62,22 +60,19 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
   own.upper_arm_error_mean = goals.upper_arm_mean;
   own.humanlikeness_final = goals.humanlikeness;
   own.humanlikeness_mapped = mapped_humanlikeness(plan.mapped.humanlikeness);
-  const std::vector<double>& human = plan.trajectory.demonstration_time;
-  if (human.back() > human.front()) {
-    own.duration_ratio = plan.trajectory.time.back() / (human.back() - human.front());
-  }
+  const std::vector<double>& clock = plan.trajectory.demonstration_time;
+  if (clock.back() > clock.front())
+    own.duration_ratio = plan.trajectory.time.back() / (clock.back() - clock.front());
   const Speeds speeds = mean_speeds(robot, plan.goals, curve);
   own.sparc_robot = sparc(speeds.robot, speeds.step_s);
   own.sparc_human = sparc(speeds.human, speeds.step_s);
   own.log_dimensionless_jerk_robot = log_dimensionless_jerk(speeds.robot, speeds.step_s);
   own.log_dimensionless_jerk_human = log_dimensionless_jerk(speeds.human, speeds.step_s);
-  own.repaired = std::any_of(plan.path.origin.begin(), plan.path.origin.end(),
-                             [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   return own;
 }
 
 void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
-                        const LimitUse& use, double clearance, ViolationCollector& runs) {
+                        const LimitUse& use, double clearance, ViolationLog& violations) {
   struct Attribute {
     const char* name;
     double Certificate::*value;
@@ -103,26 +98,25 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
       {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
   };
   const Certificate own = recompute_certificate(robot, plan, curve, use, clearance);
-  for (const Attribute& attribute : kAttributes) {
-    const double stored = plan.certificate.*attribute.value, found = own.*attribute.value;
-    const bool contact = attribute.value == &Certificate::clearance;
-    double tolerance =
-        contact ? kClearanceTolerance_m : kCertificateTolerance * std::max(1.0, std::abs(found));
-    if (attribute.value == &Certificate::velocity_ratio && !robot.braking_curves.empty())
-      tolerance = kBrakingRatioTolerance * std::max(1.0, std::abs(found));
-    if (attribute.value == &Certificate::jerk_ratio)
-      tolerance += jerk_rounding(robot, plan.trajectory);
-    if (!agree(stored, found, tolerance))
-      runs.note_plan("certificate", attribute.name, stored, found);
+  const Certificate& stored = plan.certificate;
+  for (const auto& [name, value] : kAttributes) {
+    double relative_tolerance = kCertificateTolerance;
+    if (value == &Certificate::velocity_ratio && !robot.braking_curves.empty())
+      relative_tolerance = kBrakingRatioTolerance;
+    double tolerance = relative_tolerance * std::max(1.0, std::abs(own.*value));
+    if (value == &Certificate::clearance) tolerance = kClearanceTolerance_m;
+    if (value == &Certificate::jerk_ratio) tolerance += jerk_rounding(robot, plan.trajectory);
+    if (!agree(stored.*value, own.*value, tolerance))
+      violations.note_plan("certificate", name, stored.*value, own.*value);
   }
-  if (plan.certificate.unchecked_links != robot.unchecked_links) {
-    runs.note_plan("certificate", "unchecked_links",
-                   static_cast<double>(plan.certificate.unchecked_links.size()),
-                   static_cast<double>(robot.unchecked_links.size()));
-  }
-  if (plan.certificate.repaired != own.repaired) {
-    runs.note_plan("certificate", "repaired", plan.certificate.repaired, own.repaired);
-  }
+  if (stored.unchecked_links != robot.unchecked_links)
+    violations.note_plan("certificate", "unchecked_links",
+                         static_cast<double>(stored.unchecked_links.size()),
+                         static_cast<double>(robot.unchecked_links.size()));
+  const bool repaired = std::ranges::any_of(
+      plan.path.origin, [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
+  if (plan.repaired != repaired)
+    violations.note_plan("certificate", "repaired", plan.repaired, repaired);
 }
 
 }  // namespace morphe::verify

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "core/motion/plan.hpp"
@@ -9,25 +8,35 @@
 
 namespace morphe::verify {
 
-/// A trajectory as a controller executes it: one quintic per joint between any two consecutive
-/// samples.
+/// A place on a curve: sample k has step 2k, the piece after it has step 2k + 1.
+struct CurvePoint {
+  int step = 0;
+  int sample = 0;     ///< nearest sample
+  double time_s = 0;  ///< on the trajectory's clock
+};
+
+/// A trajectory as a controller executes it: one quintic per joint between consecutive samples.
 struct Curve {
   const Trajectory* trajectory = nullptr;
-  std::size_t joints = 0, pieces = 0;        ///< numbers of joints and of sample intervals
+  int pieces = 0;  ///< number of sample intervals
+  Eigen::Index joints = 0;
   std::vector<Quintic> quintics;             ///< [pieces * joints]
-  std::vector<std::array<Range, 4>> ranges;  ///< [pieces * joints]
+  std::vector<std::array<Range, 4>> ranges;  ///< [pieces * joints] of derivatives 0 … 3
   JointRows speed;                           ///< [pieces, joints] greatest |velocity| [rad/s]
 
-  /// Returns the time on the trajectory's clock at `s` in [0, 1] of a piece [s].
-  double time_at(std::size_t piece, double s) const;
+  /// Returns the place at `s` in [0, 1] of a piece.
+  CurvePoint point_at(int piece, double s) const;
   /// Returns the demonstration time at `s` of a piece [s], linear between samples.
-  double demonstration_time_at(std::size_t piece, double s) const;
+  double demonstration_time_at(int piece, double s) const;
   /// Computes the joint positions at `s` of a piece.
-  void position_at(std::size_t piece, double s, JointVector& q) const;
+  void position_at(int piece, double s, JointVector& q) const;
 };
 
 /// Builds the curve of a trajectory. The trajectory must outlive the curve, have at least one
 /// sample, consistent shapes and strictly increasing time.
 Curve make_curve(const Trajectory& trajectory);
+
+/// Returns the place of a sample.
+CurvePoint point_at_sample(const Trajectory& trajectory, int sample);
 
 }  // namespace morphe::verify

@@ -7,30 +7,25 @@ namespace morphe::verify {
 namespace {
 
 bool is_ancestor(const RobotModel& robot, int ancestor, int frame) {
-  for (; frame >= 0; frame = robot.frames[frame].parent) {
-    if (frame == ancestor) return true;
-  }
-  return false;
+  while (frame >= 0 && frame != ancestor) frame = robot.frames[frame].parent;
+  return frame >= 0;
 }
 
-double longest_slide(const RobotModel& robot, const RobotModel::Frame& frame) {
-  if (!frame.prismatic || frame.joint < 0) return 0;
-  return std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
-                  std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
-}
-
-/// Adds the joints that move `capsule` but not a body fixed to `other_frame`.
-void add_motion_bounds(const RobotModel& robot, const RobotModel::Capsule& capsule, int other_frame,
+/// Adds the levers of joints that move a ball about `body_frame`'s origin but not `other_frame`.
+void add_motion_bounds(const RobotModel& robot, int body_frame, double radius, int other_frame,
                        JointVector& lever) {
-  double distance = std::max(capsule.from.norm(), capsule.to.norm());
-  for (int index = capsule.frame; index >= 0;) {
+  double max_distance = radius;
+  for (int index = body_frame; index >= 0; index = robot.frames[index].parent) {
     if (is_ancestor(robot, index, other_frame)) return;
     const RobotModel::Frame& frame = robot.frames[index];
-    if (frame.joint >= 0)
-      lever(frame.joint) += std::abs(frame.ratio) * (frame.prismatic ? 1 : distance);
-    distance += frame.transform.translation().norm() + longest_slide(robot, frame);
-    index = frame.parent;
+    const double own_lever = std::abs(frame.ratio) * (frame.prismatic ? 1 : max_distance);
+    if (frame.joint >= 0) lever(frame.joint) += own_lever;
+    max_distance += frame.transform.translation().norm() + longest_slide(robot, frame);
   }
+}
+
+double radius_about_frame(const RobotModel::Capsule& capsule) {
+  return std::max(capsule.from.norm(), capsule.to.norm());
 }
 
 }  // namespace
@@ -38,7 +33,7 @@ void add_motion_bounds(const RobotModel& robot, const RobotModel::Capsule& capsu
 void frame_poses(const RobotModel& robot, const JointVector& q,
                  std::vector<Pose>& base_from_frame) {
   base_from_frame.resize(robot.frames.size());
-  for (std::size_t i = 0; i < robot.frames.size(); ++i) {
+  for (int i = 0; i < std::ssize(robot.frames); ++i) {
     const RobotModel::Frame& frame = robot.frames[i];
     Pose& pose = base_from_frame[i];
     pose = frame.parent < 0 ? frame.transform : base_from_frame[frame.parent] * frame.transform;
@@ -52,37 +47,33 @@ void frame_poses(const RobotModel& robot, const JointVector& q,
   }
 }
 
+double longest_slide(const RobotModel& robot, const RobotModel::Frame& frame) {
+  if (!frame.prismatic || frame.joint < 0) return 0;
+  return std::max(std::abs(frame.ratio * robot.lower(frame.joint) + frame.offset),
+                  std::abs(frame.ratio * robot.upper(frame.joint) + frame.offset));
+}
+
 JointVector relative_motion_bound(const RobotModel& robot, int first, int second) {
   JointVector lever = JointVector::Zero(robot.joints());
   const RobotModel::Capsule& a = robot.capsules[first];
-  if (second < 0) {
-    add_motion_bounds(robot, a, -1, lever);
-    return lever;
-  }
-  const RobotModel::Capsule& b = robot.capsules[second];
-  add_motion_bounds(robot, a, b.frame, lever);
-  add_motion_bounds(robot, b, a.frame, lever);
+  const RobotModel::Capsule b = second < 0 ? RobotModel::Capsule() : robot.capsules[second];
+  add_motion_bounds(robot, a.frame, radius_about_frame(a), b.frame, lever);
+  add_motion_bounds(robot, b.frame, radius_about_frame(b), a.frame, lever);
   return lever;
 }
 
-JointVector relative_motion_bound(const RobotModel& robot, int first, int frame, const Vec3& centre,
-                                  double radius) {
+JointVector relative_motion_bound(const RobotModel& robot, int capsule, int frame,
+                                  const Vec3& centre, double radius) {
   JointVector lever = JointVector::Zero(robot.joints());
-  const RobotModel::Capsule& a = robot.capsules[first];
-  RobotModel::Capsule body;  // only its farthest point matters
-  body.frame = frame;
-  body.from = body.to = (centre.norm() + radius) * Vec3::UnitX();
-  add_motion_bounds(robot, a, frame, lever);
-  add_motion_bounds(robot, body, a.frame, lever);
+  const RobotModel::Capsule& own = robot.capsules[capsule];
+  add_motion_bounds(robot, own.frame, radius_about_frame(own), frame, lever);
+  add_motion_bounds(robot, frame, centre.norm() + radius, own.frame, lever);
   return lever;
 }
 
-JointVector point_motion_bound(const RobotModel& robot, int frame, double reach) {
+JointVector point_motion_bound(const RobotModel& robot, int frame, double radius) {
   JointVector lever = JointVector::Zero(robot.joints());
-  RobotModel::Capsule body;  // only its farthest point matters
-  body.frame = frame;
-  body.from = body.to = reach * Vec3::UnitX();
-  add_motion_bounds(robot, body, -1, lever);
+  add_motion_bounds(robot, frame, radius, -1, lever);
   return lever;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "stages/verify/find_index.hpp"
 #include "stages/verify/frame_poses.hpp"
 #include "stages/verify/pad.hpp"
 #include "stages/verify/tracking.hpp"
@@ -11,7 +12,7 @@
 namespace morphe::verify {
 namespace {
 
-struct Sum {
+struct ErrorStatistics {
   double total = 0, largest = kUnknown;
   int count = 0;
   void add(double value) {
@@ -22,14 +23,6 @@ struct Sum {
   double mean() const { return count > 0 ? total / count : kUnknown; }
 };
 
-/// Returns the angle of the rotation between two unit quaternions: 4 times half the angle of their
-/// chord.
-double rotation_angle(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-  const double near = std::min((a - b).norm(), (a + b).norm());
-  return 4 * std::asin(std::min(1.0, near / 2));
-}
-
-/// Interpolates between two rotations, the shorter way.
 Eigen::Vector4d slerp(const Eigen::Vector4d& from, Eigen::Vector4d to, double share) {
   if (from.dot(to) < 0) to = -to;
   const double angle = 2 * std::asin(std::min(1.0, (from - to).norm() / 2));
@@ -37,75 +30,72 @@ Eigen::Vector4d slerp(const Eigen::Vector4d& from, Eigen::Vector4d to, double sh
   return (std::sin((1 - share) * angle) * from + std::sin(share * angle) * to).normalized();
 }
 
-Eigen::Vector4d quaternion_of(const Quat& q) { return q.coeffs(); }
-
-std::optional<Eigen::Vector4d> orientation_goal(const Goals& goals, std::size_t tip,
-                                                const GoalInterpolation& at) {
+std::optional<Eigen::Vector4d> orientation_goal(const Goals& goals, int tip,
+                                                const GoalInterpolation& mix) {
   if (goals.tip_orientation.rows == 0) return std::nullopt;
-  const Eigen::Vector4d from = quaternion_of(goals.tip_orientation(at.before, tip));
-  const Eigen::Vector4d to = quaternion_of(goals.tip_orientation(at.after, tip));
+  const Eigen::Vector4d from = goals.tip_orientation(mix.before, tip).coeffs();
+  const Eigen::Vector4d to = goals.tip_orientation(mix.after, tip).coeffs();
   if (!from.allFinite() || !to.allFinite()) return std::nullopt;
-  return slerp(from, to, at.share);
+  return slerp(from, to, mix.share);
 }
 
-Vec3 point_at(const std::vector<Vec3>& points, const GoalInterpolation& at) {
+Vec3 interpolated_point(const std::vector<Vec3>& points, const GoalInterpolation& mix) {
   if (points.empty()) return unknown_point();
-  return points[at.before] + at.share * (points[at.after] - points[at.before]);
+  return points[mix.before] + mix.share * (points[mix.after] - points[mix.before]);
 }
 
 }  // namespace
 
 GoalErrors goal_errors(const RobotModel& robot, const Plan& plan) {
-  GoalErrors out;
   const Trajectory& trajectory = plan.trajectory;
-  if (plan.goals.frames() == 0) return out;
-  Sum position, grasp, orientation, upper_arm, humanlikeness;
+  const Goals& goals = plan.goals;
+  if (goals.frames() == 0) return {};
+  ErrorStatistics position, grasp, orientation, upper_arm, humanlikeness;
   const std::vector<PadSphere> pads = pad_spheres(robot);
+  const int elbow_centre = find_index(robot.joint_centres, "arm", &RobotModel::JointCentre::chain);
   std::vector<Pose> poses;
-  for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
+  for (int sample = 0; sample < std::ssize(trajectory.time); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
-    const GoalInterpolation at = interpolate_goal_frames(plan.goals, time_s);
+    const GoalInterpolation mix = interpolate_goal_frames(goals, time_s);
     frame_poses(robot, trajectory.position.row(sample).transpose(), poses);
-    for (std::size_t tip = 0; tip < robot.tips.size(); ++tip) {
-      const RobotModel::Tip& which = robot.tips[tip];
-      if (const auto goal = orientation_goal(plan.goals, tip, at)) {
-        const Pose pose =
-            (which.frame < 0 ? Pose::Identity() : poses[which.frame]) * which.transform;
-        orientation.add(rotation_angle(quaternion_of(Quat(pose.linear())), *goal));
-      }
-      const auto goal = goal_at(plan.goals, tip, time_s);
+    for (int t = 0; t < std::ssize(robot.tips); ++t) {
+      const RobotModel::Tip& tip = robot.tips[t];
+      if (const auto goal = orientation_goal(goals, t, mix))
+        orientation.add(rotation_angle(
+            (tip.frame < 0 ? Pose::Identity() : poses[tip.frame]) * tip.transform, *goal));
+      const auto goal = goal_at(goals, t, time_s);
       if (!goal) continue;
-      const double error =
-          (to_base_frame(poses, which.frame, tracked_point(robot, pads, plan.goals, tip, time_s)) -
-           *goal)
-              .norm();
+      const Vec3 tracked = tracked_point(robot, pads, goals, t, time_s);
+      const double error = (to_base_frame(poses, tip.frame, tracked) - *goal).norm();
       position.add(error);
       if (is_grasping(plan.movement.phases, time_s)) grasp.add(error);
     }
-    const Vec3 elbow = point_at(plan.goals.elbow_position, at);
-    double distances = 0;
-    const RobotModel::JointCentre* first = nullptr;
-    for (const RobotModel::JointCentre& centre : robot.joint_centres) {
-      if (centre.chain != "arm") continue;
-      if (!first) first = &centre;
-      distances += (to_base_frame(poses, centre.frame, Vec3::Zero()) - elbow).squaredNorm();
-    }
-    if (!first || !elbow.allFinite()) continue;
-    humanlikeness.add(distances);
-    const Vec3 human = elbow - point_at(plan.goals.shoulder_position, at);
+    const Vec3 elbow = interpolated_point(goals.elbow_position, mix);
+    if (elbow_centre < 0 || !elbow.allFinite()) continue;
+    humanlikeness.add(squared_elbow_distances(robot, poses, elbow));
+    const Vec3 human = elbow - interpolated_point(goals.shoulder_position, mix);
     if (!human.allFinite()) continue;
-    const Vec3 own = to_base_frame(poses, first->frame, Vec3::Zero()) -
-                     to_base_frame(poses, robot.shoulder_frame, Vec3::Zero());
+    const auto origin = [&](int frame) { return to_base_frame(poses, frame, Vec3::Zero()); };
+    const Vec3 own = origin(robot.joint_centres[elbow_centre].frame) - origin(robot.shoulder_frame);
     upper_arm.add(2 * std::asin(std::min(1.0, (human.normalized() - own.normalized()).norm() / 2)));
   }
-  out.position_max = position.largest;
-  out.position_mean = position.mean();
-  out.position_grasp = grasp.largest;
-  out.orientation_max = orientation.largest;
-  out.upper_arm_max = upper_arm.largest;
-  out.upper_arm_mean = upper_arm.mean();
-  out.humanlikeness = humanlikeness.mean();
-  return out;
+  return {position.largest,  position.mean(),  grasp.largest,       orientation.largest,
+          upper_arm.largest, upper_arm.mean(), humanlikeness.mean()};
+}
+
+double rotation_angle(const Pose& pose, const Eigen::Vector4d& goal) {
+  const Eigen::Vector4d own = Quat(pose.linear()).coeffs();
+  const double chord = std::min((own - goal).norm(), (own + goal).norm());
+  return 4 * std::asin(std::min(1.0, chord / 2));
+}
+
+double squared_elbow_distances(const RobotModel& robot, const std::vector<Pose>& base_from_frame,
+                               const Vec3& elbow) {
+  double sum = 0;
+  for (const RobotModel::JointCentre& centre : robot.joint_centres)
+    if (centre.chain == "arm")
+      sum += (to_base_frame(base_from_frame, centre.frame, Vec3::Zero()) - elbow).squaredNorm();
+  return sum;
 }
 
 }  // namespace morphe::verify

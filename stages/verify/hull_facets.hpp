@@ -6,15 +6,15 @@
 
 namespace morphe::verify {
 
-/// A facet of a convex hull: normal·x <= distance for all points.
+/// A facet of a convex hull: normal·x <= distance for all points x of the hull.
 struct HullFacet {
   Eigen::VectorXd normal;  ///< unit, outwards
-  double distance = 0;     ///< from the origin along the normal
+  double distance = 0;     ///< of the facet from the origin, along the normal
 };
 
-/// Computes the facets of the convex hull of the columns of `points`, in as many dimensions (two or
-/// more) as there are rows, with qhull. Returns an empty vector if there is no hull, because there
-/// are too few points or they are coplanar.
+/// Computes with qhull the facets of the convex hull of points, which are the columns of a matrix
+/// with two or more rows. Returns an empty vector if there is no hull, because there are too few
+/// points or they lie in a hyperplane.
 std::vector<HullFacet> hull_facets(Eigen::MatrixXd points);
 
 }  // namespace morphe::verify

@@ -1,10 +1,9 @@
 #include "stages/verify/limits.hpp"
 
-#include "stages/verify/braking.hpp"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "stages/verify/braking.hpp"
 
 namespace morphe::verify {
 namespace {
@@ -13,65 +12,56 @@ constexpr double kRelativeTolerance = 1e-6;
 constexpr double kRestTolerance = 1e-9;
 constexpr const char* kCauses[] = {"position", "velocity", "acceleration", "jerk"};
 
-CurvePoint place_of(const Curve& curve, std::size_t piece, double s) {
-  return {static_cast<int>(2 * piece + 1), static_cast<int>(s < 0.5 ? piece : piece + 1),
-          curve.time_at(piece, s)};
-}
-
-/// Checks the coupled frames' own limits: a coupled frame's value is ratio * q + offset, and so are
-/// its extrema.
-void verify_coupled_limits(const RobotModel& robot, const Curve& curve, std::size_t piece,
-                           ViolationCollector& runs) {
-  for (const RobotModel::CoupledLimit& own : robot.coupled_limits) {
-    const RobotModel::Frame& frame = robot.frames[own.frame];
-    const auto& ranges = curve.ranges[piece * curve.joints + frame.joint];
-    for (const Extreme& end : {ranges[0].least, ranges[0].greatest}) {
-      const double value = frame.ratio * end.value + frame.offset;
-      const double beyond = std::max(own.lower - value, value - own.upper);
-      if (!(beyond <= kRelativeTolerance * std::max(1.0, std::abs(value))))
-        runs.note("position", frame.name, place_of(curve, piece, end.s), value,
-                  value < own.lower ? own.lower : own.upper, beyond);
+/// Checks the limits of coupled frames. Their values ratio * q + offset are extreme where q is.
+void verify_coupled_limits(const RobotModel& robot, const Curve& curve, int piece,
+                           ViolationLog& violations) {
+  for (const RobotModel::CoupledLimit& coupled : robot.coupled_limits) {
+    const RobotModel::Frame& frame = robot.frames[coupled.frame];
+    const std::array<Range, 4>& ranges = curve.ranges[piece * curve.joints + frame.joint];
+    for (const Extreme& extreme : {ranges[0].least, ranges[0].greatest}) {
+      const double value = frame.ratio * extreme.value + frame.offset;
+      const double excess = std::max(coupled.lower - value, value - coupled.upper);
+      if (!(excess <= kRelativeTolerance * std::max(1.0, std::abs(value))))
+        violations.note("position", frame.name, curve.point_at(piece, extreme.s), value,
+                        value < coupled.lower ? coupled.lower : coupled.upper, excess);
     }
-    const double limits[] = {own.velocity, own.acceleration, own.jerk};
-    for (std::size_t order = 1; order < 4; ++order) {
-      const double limit = limits[order - 1];
-      for (const Extreme& end : {ranges[order].least, ranges[order].greatest}) {
-        const double value = std::abs(frame.ratio * end.value);
-        if (!(value <= limit * (1 + kRelativeTolerance)))
-          runs.note(kCauses[order], frame.name, place_of(curve, piece, end.s), value, limit,
-                    value / limit);
+    const double limits[] = {kInfinity, coupled.velocity, coupled.acceleration, coupled.jerk};
+    for (int order = 1; order < 4; ++order) {
+      for (const Extreme& extreme : {ranges[order].least, ranges[order].greatest}) {
+        const double value = std::abs(frame.ratio * extreme.value);
+        if (!(value <= limits[order] * (1 + kRelativeTolerance)))
+          violations.note(kCauses[order], frame.name, curve.point_at(piece, extreme.s), value,
+                          limits[order], value / limits[order]);
       }
     }
   }
 }
 
-void verify_braking_curves(const RobotModel& robot, const Curve& curve, std::size_t piece,
-                           LimitUse& use, ViolationCollector& runs) {
+void verify_braking_curves(const RobotModel& robot, const Curve& curve, int piece, LimitUse& use,
+                           ViolationLog& violations) {
   for (const RobotModel::BrakingCurve& braking : robot.braking_curves) {
-    const auto joint = static_cast<std::size_t>(braking.joint);
-    const Quintic& quintic = curve.quintics[piece * curve.joints + joint];
-    const double known = std::min(use.velocity_ratio, 1 + kRelativeTolerance);
-    const BrakingLimitUse worst = max_braking_use(braking, quintic, known);
+    const double known_ratio = std::min(use.velocity_ratio, 1 + kRelativeTolerance);
+    const BrakingLimitUse worst =
+        max_braking_use(braking, curve.quintics[piece * curve.joints + braking.joint], known_ratio);
     use.velocity_ratio = std::max(use.velocity_ratio, worst.ratio);
     if (!(worst.ratio <= 1 + kRelativeTolerance))
-      runs.note("velocity", robot.joint_names[joint], place_of(curve, piece, worst.s), worst.speed,
-                worst.allowed_speed, worst.ratio);
+      violations.note("velocity", robot.joint_names[braking.joint], curve.point_at(piece, worst.s),
+                      worst.speed, worst.allowed_speed, worst.ratio);
   }
 }
 
 }  // namespace
 
-LimitUse verify_limits(const RobotModel& robot, const Curve& curve, ViolationCollector& runs) {
+LimitUse verify_limits(const RobotModel& robot, const Curve& curve, ViolationLog& violations) {
   LimitUse use;
-  use.position_margin = std::numeric_limits<double>::infinity();
-  const JointVector* magnitudes[] = {nullptr, &robot.velocity, &robot.acceleration, &robot.jerk};
+  use.position_margin = kInfinity;
+  const JointVector* limits[] = {nullptr, &robot.velocity, &robot.acceleration, &robot.jerk};
   double* ratios[] = {nullptr, &use.velocity_ratio, &use.acceleration_ratio, &use.jerk_ratio};
 
-  for (std::size_t piece = 0; piece < curve.pieces; ++piece) {
-    for (std::size_t joint = 0; joint < curve.joints; ++joint) {
-      const auto j = static_cast<Eigen::Index>(joint);
-      const auto& ranges = curve.ranges[piece * curve.joints + joint];
-      const std::string& name = robot.joint_names[joint];
+  for (int piece = 0; piece < curve.pieces; ++piece) {
+    for (Eigen::Index j = 0; j < curve.joints; ++j) {
+      const std::array<Range, 4>& ranges = curve.ranges[piece * curve.joints + j];
+      const std::string& name = robot.joint_names[j];
 
       const Range& position = ranges[0];
       const double below = position.least.value - robot.lower(j);
@@ -80,40 +70,38 @@ LimitUse verify_limits(const RobotModel& robot, const Curve& curve, ViolationCol
       use.position_margin = std::min(use.position_margin, margin);
       if (!(margin >= -kRelativeTolerance * (robot.upper(j) - robot.lower(j)))) {
         const Extreme& worst = below < above ? position.least : position.greatest;
-        runs.note("position", name, place_of(curve, piece, worst.s), worst.value,
-                  below < above ? robot.lower(j) : robot.upper(j), -margin);
+        violations.note("position", name, curve.point_at(piece, worst.s), worst.value,
+                        below < above ? robot.lower(j) : robot.upper(j), -margin);
       }
-      for (std::size_t order = 1; order < 4; ++order) {
+      for (int order = 1; order < 4; ++order) {
         const Range& range = ranges[order];
         const bool negative = -range.least.value > range.greatest.value;
         const Extreme& worst = negative ? range.least : range.greatest;
-        const double limit = (*magnitudes[order])(j);
+        const double limit = (*limits[order])(j);
         const double ratio = std::abs(worst.value) / limit;
         *ratios[order] = std::max(*ratios[order], ratio);
         if (!(ratio <= 1 + kRelativeTolerance))
-          runs.note(kCauses[order], name, place_of(curve, piece, worst.s), std::abs(worst.value),
-                    limit, ratio);
+          violations.note(kCauses[order], name, curve.point_at(piece, worst.s),
+                          std::abs(worst.value), limit, ratio);
       }
     }
-    verify_coupled_limits(robot, curve, piece, runs);
-    verify_braking_curves(robot, curve, piece, use, runs);
+    verify_coupled_limits(robot, curve, piece, violations);
+    verify_braking_curves(robot, curve, piece, use, violations);
   }
   return use;
 }
 
-void verify_rest(const RobotModel& robot, const Trajectory& trajectory, ViolationCollector& runs) {
-  const auto last = static_cast<Eigen::Index>(trajectory.samples()) - 1;
-  for (const Eigen::Index sample : {Eigen::Index{0}, last}) {
+void verify_rest(const RobotModel& robot, const Curve& curve, ViolationLog& violations) {
+  const Trajectory& trajectory = *curve.trajectory;
+  for (const int sample : {0, curve.pieces}) {
+    CurvePoint point = point_at_sample(trajectory, sample);
+    // Both ends are reported, even for a trajectory so short that they are neighbours.
+    if (sample > 0) point.step += 2;
     for (Eigen::Index j = 0; j < trajectory.position.cols(); ++j) {
-      const double most = std::max(std::abs(trajectory.velocity(sample, j)),
-                                   std::abs(trajectory.acceleration(sample, j)));
-      if (most <= kRestTolerance) continue;
-      const auto row = static_cast<std::size_t>(sample);
-      // Both ends are reported, even for a trajectory so short that they are neighbours.
-      runs.note("rest", robot.joint_names[j],
-                {sample == 0 ? 0 : static_cast<int>(2 * row + 2), static_cast<int>(row),
-                 trajectory.time[row]},
-                most, kRestTolerance, most);
+      const double largest = std::max(std::abs(trajectory.velocity(sample, j)),
+                                      std::abs(trajectory.acceleration(sample, j)));
+      if (largest <= kRestTolerance) continue;
+      violations.note("rest", robot.joint_names[j], point, largest, kRestTolerance, largest);
     }
   }
 }

@@ -7,95 +7,91 @@ namespace morphe::verify {
 namespace {
 
 constexpr double kMaxLength_m = 1e6, kMaxJointPosition = 1e6, kMaxCouplingRatio = 1e3;
-constexpr double kMaxMotionDuration_s = 6 * 3600.0, kMinGoalStep_s = 1e-5;
-constexpr double kMaxGoalSteps = 4e6, kGoalStepAllowance = 1000, kMaxGoalStepsPerSample = 100;
+constexpr double kMaxCouplingOffset = 1e6, kMaxDuration_s = 6 * 3600.0, kMinGoalStep_s = 1e-5;
+constexpr double kMaxGoalSteps = 4e6, kBaseGoalSteps = 1000, kMaxGoalStepsPerSample = 100;
 
-/// Keeps the largest magnitude of each dataset; NaN is ignored.
+/// Records each value above its limit, infinity included. NaN is ignored.
 class MagnitudeChecker {
  public:
-  explicit MagnitudeChecker(ViolationCollector& runs) : runs_(runs) {}
-
+  explicit MagnitudeChecker(ViolationLog& violations) : violations_(violations) {}
   template <class Values>
-  void largest(const char* subject, const Values& values, double most) {
-    at_most(subject,
-            values.size() > 0 ? values.cwiseAbs().template maxCoeff<Eigen::PropagateNumbers>() : 0,
-            most);
+  void check_all(const char* subject, const Values& values, double limit) {
+    check(subject,
+          values.size() > 0 ? values.cwiseAbs().template maxCoeff<Eigen::PropagateNumbers>() : 0,
+          limit);
   }
-  void at_most(const char* subject, double value, double most) {
-    if (!(value > most)) return;
-    runs_.note_plan("structure", subject, value, most);
-    good_ = false;
+  void check(const char* subject, double value, double limit) {
+    if (!(value > limit)) return;
+    violations_.note_plan("structure", subject, value, limit);
+    within_limits_ = false;
   }
-  bool good() const { return good_; }
+  bool within_limits() const { return within_limits_; }
 
  private:
-  ViolationCollector& runs_;
-  bool good_ = true;
+  ViolationLog& violations_;
+  bool within_limits_ = true;
 };
 
-void check_magnitudes(const RobotModel& robot, MagnitudeChecker& look) {
+void check_magnitudes(const RobotModel& robot, MagnitudeChecker& checker) {
   for (const RobotModel::Frame& frame : robot.frames) {
-    look.largest("robot/frames", frame.transform.translation(), kMaxLength_m);
+    checker.check_all("robot/frames", frame.transform.translation(), kMaxLength_m);
     if (frame.joint < 0) continue;
-    look.at_most("robot/frames", std::abs(frame.ratio), kMaxCouplingRatio);
-    look.at_most("robot/frames", std::abs(frame.offset), kMaxLength_m);
+    checker.check("robot/frames", std::abs(frame.ratio), kMaxCouplingRatio);
+    checker.check("robot/frames", std::abs(frame.offset), kMaxCouplingOffset);
   }
   for (const RobotModel::Tip& tip : robot.tips)
-    look.largest("robot/tips", tip.transform.translation(), kMaxLength_m);
+    checker.check_all("robot/tips", tip.transform.translation(), kMaxLength_m);
   for (const RobotModel::Capsule& capsule : robot.capsules) {
-    look.largest("robot/capsules", capsule.from, kMaxLength_m);
-    look.largest("robot/capsules", capsule.to, kMaxLength_m);
-    look.at_most("robot/capsules", capsule.radius, kMaxLength_m);
+    checker.check_all("robot/capsules", capsule.from, kMaxLength_m);
+    checker.check_all("robot/capsules", capsule.to, kMaxLength_m);
+    checker.check("robot/capsules", capsule.radius, kMaxLength_m);
   }
-  look.largest("robot/lower, upper", robot.lower, kMaxJointPosition);
-  look.largest("robot/lower, upper", robot.upper, kMaxJointPosition);
+  checker.check_all("robot/lower, upper", robot.lower, kMaxJointPosition);
+  checker.check_all("robot/lower, upper", robot.upper, kMaxJointPosition);
 }
 
-void check_magnitudes(const SceneObject& object, MagnitudeChecker& look) {
+void check_magnitudes(const SceneObject& object, MagnitudeChecker& checker) {
   const char* const name = object.name.c_str();
-  for (const double length : object.size) look.at_most(name, length, kMaxLength_m);
-  for (const Vec3& place : object.position) look.largest(name, place, kMaxLength_m);
-  for (const Vec3& vertex : object.vertices) look.largest(name, vertex, kMaxLength_m);
+  for (const double length : object.size) checker.check(name, length, kMaxLength_m);
+  for (const Vec3& place : object.position) checker.check_all(name, place, kMaxLength_m);
+  for (const Vec3& vertex : object.vertices) checker.check_all(name, vertex, kMaxLength_m);
 }
 
-void check_magnitudes(const Goals& goals, MagnitudeChecker& look) {
-  for (const Vec3& goal : goals.tip_position.values)
-    look.largest("goals/tip_position", goal, kMaxLength_m);
+void check_magnitudes(const Trajectory& trajectory, MagnitudeChecker& checker) {
+  checker.check_all("trajectory/position", trajectory.position, kMaxJointPosition);
+  checker.check("trajectory/time", trajectory.time.back() - trajectory.time.front(),
+                kMaxDuration_s);
 }
 
-void check_magnitudes(const Trajectory& motion, MagnitudeChecker& look) {
-  look.largest("trajectory/position", motion.position, kMaxJointPosition);
-  look.at_most("trajectory/time", motion.time.back() - motion.time.front(), kMaxMotionDuration_s);
-}
-
-/// Checks the number of steps of the goals, at each of which the smoothness measures are evaluated.
-void check_goal_steps(const Plan& plan, MagnitudeChecker& look) {
-  const std::vector<double>& goals = plan.goals.time;
-  if (goals.size() < 2) return;
-  const double step_s = (goals.back() - goals.front()) / static_cast<double>(goals.size() - 1);
-  look.at_most("goals/time", 1 / step_s, 1 / kMinGoalStep_s);
+/// Checks the steps between goal frames, at each of which the smoothness measures are evaluated.
+void check_goal_steps(const Plan& plan, MagnitudeChecker& checker) {
+  const std::vector<double>& goal_s = plan.goals.time;
+  if (goal_s.size() < 2) return;
+  const double step_s = (goal_s.back() - goal_s.front()) / static_cast<double>(goal_s.size() - 1);
+  checker.check("goals/time", 1 / step_s, 1 / kMinGoalStep_s);
   const std::vector<double>& time = plan.trajectory.time;
   const double samples = static_cast<double>(time.size());
-  look.at_most("goals/time", (time.back() - time.front()) / step_s,
-               std::min(kMaxGoalSteps, kGoalStepAllowance + kMaxGoalStepsPerSample * samples));
+  checker.check("goals/time", (time.back() - time.front()) / step_s,
+                std::min(kMaxGoalSteps, kBaseGoalSteps + kMaxGoalStepsPerSample * samples));
 }
 
 }  // namespace
 
-bool verify_magnitudes(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
-  MagnitudeChecker look(runs);
-  check_magnitudes(robot, look);
-  for (const SceneObject& object : plan.scene.objects) check_magnitudes(object, look);
-  check_magnitudes(plan.goals, look);
-  check_magnitudes(plan.trajectory, look);
-  check_goal_steps(plan, look);
-  return look.good();
+bool verify_magnitudes(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
+  MagnitudeChecker checker(violations);
+  check_magnitudes(robot, checker);
+  for (const SceneObject& object : plan.scene.objects) check_magnitudes(object, checker);
+  for (const Vec3& goal : plan.goals.tip_position.values)
+    checker.check_all("goals/tip_position", goal, kMaxLength_m);
+  check_magnitudes(plan.trajectory, checker);
+  check_goal_steps(plan, checker);
+  return checker.within_limits();
 }
 
-bool verify_magnitudes(const Trajectory& motion, ViolationCollector& runs) {
-  MagnitudeChecker look(runs);
-  check_magnitudes(motion, look);
-  return look.good();
+bool verify_magnitudes(const Trajectory& trajectory, ViolationLog& violations) {
+  MagnitudeChecker checker(violations);
+  check_magnitudes(trajectory, checker);
+  return checker.within_limits();
 }
 
 }  // namespace morphe::verify

@@ -2,16 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace morphe::verify {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMinClearDistance_m = 1e-9;
-/// maximum number of bisections of a segment to find its depth
-constexpr int kMaxSegmentBisections = 20000;
+constexpr int kMaxSegmentBisections = 20000;  ///< in the search for a segment's depth
 
 /// Returns the distance of a point to a triangle's interior; infinity if the foot of the
 /// perpendicular is outside of the triangle.
@@ -25,48 +22,44 @@ double face_distance(const Mesh::Triangle& t, const Vec3& point) {
   return s >= 0 && r >= 0 && s + r <= 1 ? (w - s * u - r * v).norm() : kInfinity;
 }
 
-/// Returns the distance between a triangle and a segment. The nearest points are an end of the
-/// segment, or its intersection with the triangle's plane, with their feet on the triangle; or they
-/// are on the segment and an edge. A candidate without a foot is no closer than the minimum.
+/// Returns the distance between a triangle and a segment: the least of the distances of the
+/// triangle to the segment's ends and to its intersection with the triangle's plane, and of its
+/// edges to the segment.
 double triangle_distance(const Mesh::Triangle& t, const Segment& s) {
   double least =
       std::min({face_distance(t, s.from), face_distance(t, s.to), segment_distance(s, {t.a, t.b}),
                 segment_distance(s, {t.b, t.c}), segment_distance(s, {t.c, t.a})});
   const Vec3 normal = (t.b - t.a).cross(t.c - t.a);
   const double above = normal.dot(s.from - t.a), below = normal.dot(s.to - t.a);
-  if ((above > 0) != (below > 0)) {
+  if ((above > 0) != (below > 0))
     least = std::min(least, face_distance(t, s.from + above / (above - below) * (s.to - s.from)));
-  }
   return least;
 }
 
-/// Returns the unsigned distance of a segment to the surface. Values of at least `enough` need not
-/// be exact.
+/// Returns a segment's unsigned distance to the surface; from `enough` on, a lower bound of it.
 double surface_distance(const Mesh& mesh, const Segment& segment, double enough) {
-  const double whole =
-      segment_distance(segment, {mesh.ball.centre, mesh.ball.centre}) - mesh.ball.radius;
-  if (whole >= enough) return whole;
+  const auto lower_bound = [&](const Mesh::Cluster& cluster) {
+    return segment_distance(segment, {cluster.centre, cluster.centre}) - cluster.radius;
+  };
+  const double mesh_bound = lower_bound(mesh.ball);
+  if (mesh_bound >= enough) return mesh_bound;
   std::vector<double> bounds;
-  for (const Mesh::Cluster& cluster : mesh.clusters) {
-    bounds.push_back(segment_distance(segment, {cluster.centre, cluster.centre}) - cluster.radius);
-  }
+  for (const Mesh::Cluster& cluster : mesh.clusters) bounds.push_back(lower_bound(cluster));
   const auto nearest = std::ranges::min_element(bounds);
   if (*nearest >= enough) return *nearest;
-  double best = kInfinity;
-  const auto search = [&](std::size_t k) {
-    for (std::size_t t = mesh.clusters[k].begin; t < mesh.clusters[k].end; ++t) {
-      best = std::min(best, triangle_distance(mesh.triangles[t], segment));
-    }
+  double least = kInfinity;
+  const auto search = [&](const Mesh::Cluster& cluster) {
+    for (int t = cluster.begin; t < cluster.end; ++t)
+      least = std::min(least, triangle_distance(mesh.triangles[t], segment));
   };
-  search(nearest - bounds.begin());
-  for (std::size_t k = 0; k < bounds.size(); ++k) {
-    if (bounds[k] < best) search(k);
-  }
-  return best;
+  search(mesh.clusters[nearest - bounds.begin()]);
+  for (int k = 0; k < std::ssize(bounds); ++k)
+    if (bounds[k] < least) search(mesh.clusters[k]);
+  return least;
 }
 
-/// Returns the side of the line a–b on which the point lies, seen along x. A point on the line is
-/// taken to be slightly above it, consistently for both triangles that share the edge.
+/// Returns true if a point lies to the left of the line from a to b, seen along x. On the line it
+/// is on opposite sides of a–b and b–a, so that a ray hits one of two triangles beside an edge.
 bool left_of(const Vec3& a, const Vec3& b, const Vec3& point) {
   const bool forward = std::pair(a.y(), a.z()) < std::pair(b.y(), b.z());
   const Vec3 &from = forward ? a : b, &to = forward ? b : a;
@@ -83,21 +76,22 @@ bool ray_hits_triangle(const Mesh::Triangle& t, const Vec3& point) {
   return normal.x() != 0 && normal.dot(t.a - point) / normal.x() > 0;
 }
 
-/// Updates the depth of the segment's deepest point. The depth changes by at most the distance
-/// along the segment. If the limit of bisections is reached, the upper bound of the depth is used.
-void update_max_depth(const Mesh& mesh, const Segment& segment, int& parts, double& deepest) {
+/// Raises `max_depth` to a segment's largest depth, to 5 % + 10 um; to an upper bound of it without
+/// bisections left. Between two points the depth changes by at most their distance.
+void raise_to_depth(const Mesh& mesh, const Segment& segment, int& bisections_left,
+                    double& max_depth) {
   const Vec3 middle = 0.5 * (segment.from + segment.to);
-  const double apart = surface_distance(mesh, {middle, middle}, kInfinity);
-  const double depth = is_inside(mesh, middle) ? apart : -apart;
-  deepest = std::max(deepest, depth);
-  const double most = depth + 0.5 * (segment.to - segment.from).norm();
-  if (most <= 1.05 * deepest + 1e-5) return;
-  if (--parts < 0) {
-    deepest = std::max(deepest, most);
+  const double distance = surface_distance(mesh, {middle, middle}, kInfinity);
+  const double depth = is_inside(mesh, middle) ? distance : -distance;
+  max_depth = std::max(max_depth, depth);
+  const double bound = depth + 0.5 * (segment.to - segment.from).norm();
+  if (bound <= 1.05 * max_depth + 1e-5) return;
+  if (--bisections_left < 0) {
+    max_depth = std::max(max_depth, bound);
     return;
   }
-  update_max_depth(mesh, {segment.from, middle}, parts, deepest);
-  update_max_depth(mesh, {middle, segment.to}, parts, deepest);
+  raise_to_depth(mesh, {segment.from, middle}, bisections_left, max_depth);
+  raise_to_depth(mesh, {middle, segment.to}, bisections_left, max_depth);
 }
 
 }  // namespace
@@ -107,28 +101,27 @@ bool is_inside(const Mesh& mesh, const Vec3& point) {
   if ((point - ball.centre).squaredNorm() > ball.radius * ball.radius) return false;
   std::vector<char> odd(mesh.watertight.size(), 0);
   for (const Mesh::Cluster& cluster : mesh.clusters) {
-    const bool beside = point.y() < cluster.low.y() || point.y() > cluster.high.y() ||
+    const bool missed = point.y() < cluster.low.y() || point.y() > cluster.high.y() ||
                         point.z() < cluster.low.z() || point.z() > cluster.high.z() ||
                         point.x() > cluster.high.x();
-    if (beside) continue;
-    for (std::size_t t = cluster.begin; t < cluster.end; ++t) {
-      char& side = odd[mesh.triangles[t].component];
-      if (ray_hits_triangle(mesh.triangles[t], point)) side = !side;
+    if (missed) continue;
+    for (int t = cluster.begin; t < cluster.end; ++t) {
+      char& crossed = odd[mesh.triangles[t].component];
+      if (ray_hits_triangle(mesh.triangles[t], point)) crossed = !crossed;
     }
   }
-  for (std::size_t part = 0; part < mesh.watertight.size(); ++part) {
-    if (mesh.watertight[part] && odd[part]) return true;
-  }
+  for (int component = 0; component < std::ssize(odd); ++component)
+    if (mesh.watertight[component] && odd[component]) return true;
   return false;
 }
 
 double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double enough) {
-  const double apart = surface_distance(mesh, segment, enough);
+  const double distance = surface_distance(mesh, segment, enough);
   // A segment that is clear of all surfaces is entirely inside or entirely outside.
-  if (apart > kMinClearDistance_m && !is_inside(mesh, segment.from)) return apart;
+  if (distance > kMinClearDistance_m && !is_inside(mesh, segment.from)) return distance;
   double deepest = 0;
-  int parts = kMaxSegmentBisections;
-  update_max_depth(mesh, segment, parts, deepest);
+  int bisections_left = kMaxSegmentBisections;
+  raise_to_depth(mesh, segment, bisections_left, deepest);
   return -deepest;
 }
 

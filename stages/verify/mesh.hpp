@@ -7,9 +7,9 @@
 namespace morphe::verify {
 
 /// A triangle mesh in its object's frame, with the solid part defined as in docs/formats.md.
-/// Triangles that share edges are connected into components; a component is closed if each of its
-/// edges belongs to an even number of triangles, and its solid consists of the points whose rays
-/// leave through it an odd number of times. Any other component is a sheet without thickness.
+/// Triangles that share edges form a component. A component is watertight if each of its edges
+/// belongs to an even number of triangles. A point is inside the solid of a watertight component
+/// if a ray from there crosses the component an odd number of times. Others are thin sheets.
 struct Mesh {
   /// A triangle and the component to which it belongs.
   struct Triangle {
@@ -18,7 +18,7 @@ struct Mesh {
   };
   /// A group of neighbouring triangles with a bounding ball and a bounding box.
   struct Cluster {
-    std::size_t begin = 0, end = 0;
+    int begin = 0, end = 0;  ///< in `triangles`
     Vec3 centre, low, high;
     double radius = 0;
   };
@@ -35,10 +35,10 @@ Mesh make_mesh(const SceneObject& object);
 /// Returns true if a point is inside the solid of the mesh.
 bool is_inside(const Mesh& mesh, const Vec3& point);
 
-/// Returns the least signed distance of the segment [m]: the distance to the nearest triangle if no
-/// point of the segment is inside the solid, otherwise minus the largest depth found below the
-/// nearest surface, underestimated by at most 5 % + 10 um. If the result cannot be smaller than
-/// `enough`, at least `enough` is returned without a search.
+/// Returns the least signed distance of the segment [m]. It is the distance to the nearest triangle
+/// if no point of the segment is inside the solid. Otherwise it is minus the largest depth found
+/// below the nearest surface, underestimated by at most 5 % + 10 um. If the result cannot be
+/// smaller than `enough`, at least `enough` is returned without a search.
 double segment_mesh_distance(const Mesh& mesh, const Segment& segment, double enough);
 
 }  // namespace morphe::verify

@@ -7,21 +7,20 @@
 
 namespace morphe::verify {
 
-/// The ball with which a tip touches: the end nearest to the tip among the capsules that are fixed
-/// to it.
+/// The sphere with which a tip touches: of the ends of all capsules fixed to the tip, the nearest.
 struct PadSphere {
   int capsule = -1;                   ///< -1 if the tip has no pad
-  Vec3 centre = unknown_point();      ///< in the tip's frame
-  Vec3 pad_normal = unknown_point();  ///< unit, the tip's x, in the tip's frame
+  Vec3 centre = unknown_point();      ///< in the frame of the tip's link
+  Vec3 pad_normal = unknown_point();  ///< unit, the tip's x, in the frame of the tip's link
   double radius = kUnknown;
 };
 
-/// Returns the pad of each tip. [tips]
+/// Returns the pad of each tip [tips].
 std::vector<PadSphere> pad_spheres(const RobotModel& robot);
 
-/// Returns the point, in the tip's frame, to which the goal of a tip applies at a demonstration
-/// time: the tip, or the point on the way from the tip to its pad given by the goals' pad share.
+/// Returns the point, in the frame of the tip's link, to which the goal of a tip applies at a
+/// demonstration time: at the goals' tip_to_pad_share (0 without) of the line from tip to pad.
 Vec3 tracked_point(const RobotModel& robot, const std::vector<PadSphere>& pads, const Goals& goals,
-                   std::size_t tip, double time_s);
+                   int tip, double time_s);
 
 }  // namespace morphe::verify

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPhaseBorderTolerance_s = 1e-9;
 
-/// Returns true if a phase may come after another in the list; preshapes are not considered.
+/// Returns true if a phase may come next after another in the list; neither is a preshape.
 bool may_follow(PhaseKind before, PhaseKind after) {
   const auto stage = [](PhaseKind kind) {
     switch (kind) {
@@ -31,76 +31,75 @@ bool may_follow(PhaseKind before, PhaseKind after) {
          !(before == PhaseKind::grasp && after == PhaseKind::grasp);
 }
 
-bool is_phase(const Phase& phase) {
+bool is_valid_phase(const Phase& phase) {
   return std::isfinite(phase.begin_s) && std::isfinite(phase.end_s) &&
          phase.begin_s <= phase.end_s && phase.confidence >= 0 && phase.confidence <= 1;
 }
 
-/// Returns true if a sample may have that phase, that is, if no phase around its time is shorter,
-/// within the tolerance of the borders.
+/// Returns true if a sample at this time may be in a phase of this kind: there is one at the time,
+/// and no phase around the time is shorter; or it is rest, and no phase is around the time.
 bool may_be_in(const std::vector<Phase>& phases, PhaseKind kind, double time_s) {
-  double least = kInfinity;
+  double shortest_s = kInfinity;
   for (const Phase& phase : phases) {
     if (time_s >= phase.begin_s + kPhaseBorderTolerance_s &&
         time_s <= phase.end_s - kPhaseBorderTolerance_s)
-      least = std::min(least, phase.end_s - phase.begin_s);
+      shortest_s = std::min(shortest_s, phase.end_s - phase.begin_s);
   }
-  if (kind == PhaseKind::rest && least == kInfinity) return true;
+  if (kind == PhaseKind::rest && shortest_s == kInfinity) return true;
   return std::ranges::any_of(phases, [&](const Phase& phase) {
-    return phase.kind == kind && phase.end_s - phase.begin_s <= least &&
+    return phase.kind == kind && phase.end_s - phase.begin_s <= shortest_s &&
            time_s >= phase.begin_s - kPhaseBorderTolerance_s &&
            time_s <= phase.end_s + kPhaseBorderTolerance_s;
   });
 }
 
-void verify_phase_order(const std::vector<Phase>& phases, ViolationCollector& runs) {
-  const Phase *before = nullptr, *preshape = nullptr;
+void verify_phase_order(const std::vector<Phase>& phases, ViolationLog& violations) {
+  const Phase *previous = nullptr, *preshape = nullptr;
   int grasps = 0;
   for (const Phase& phase : phases) {
     const auto note = [&](double value, double limit) {
-      runs.note_plan("phase", std::string(name_of(phase.kind)), value, limit);
+      violations.note_plan("phase", std::string(name_of(phase.kind)), value, limit);
     };
-    if (!is_phase(phase)) note(phase.begin_s, phase.end_s);
+    if (!is_valid_phase(phase)) note(phase.begin_s, phase.end_s);
     if (phase.kind == PhaseKind::preshape) {
-      const bool inside = before && before->kind == PhaseKind::reach && !preshape &&
-                          phase.begin_s >= before->begin_s - kPhaseBorderTolerance_s &&
-                          phase.end_s <= before->end_s + kPhaseBorderTolerance_s;
-      if (!inside) note(phase.begin_s, before ? before->begin_s : kUnknown);
+      const bool inside = previous && previous->kind == PhaseKind::reach && !preshape &&
+                          phase.begin_s >= previous->begin_s - kPhaseBorderTolerance_s &&
+                          phase.end_s <= previous->end_s + kPhaseBorderTolerance_s;
+      if (!inside) note(phase.begin_s, previous ? previous->begin_s : kUnknown);
       preshape = &phase;
       continue;
     }
     grasps += phase.kind == PhaseKind::grasp ? 1 : 0;
-    if (before && phase.begin_s < before->end_s - kPhaseBorderTolerance_s)
-      note(phase.begin_s, before->end_s);
-    const bool on_reaching =
-        grasps == 0 && before && before->kind == PhaseKind::hold && phase.kind == PhaseKind::reach;
-    const bool in_order = !before || on_reaching || may_follow(before->kind, phase.kind);
+    if (previous && phase.begin_s < previous->end_s - kPhaseBorderTolerance_s)
+      note(phase.begin_s, previous->end_s);
+    const bool reaching_again = grasps == 0 && previous && previous->kind == PhaseKind::hold &&
+                                phase.kind == PhaseKind::reach;
+    const bool in_order = !previous || reaching_again || may_follow(previous->kind, phase.kind);
     if (!in_order || grasps > 1) note(phase.begin_s, kUnknown);
-    before = &phase;
+    previous = &phase;
   }
 }
 
 }  // namespace
 
-void verify_phases(const Plan& plan, ViolationCollector& runs) {
+void verify_phases(const Plan& plan, ViolationLog& violations) {
   const std::vector<Phase>& phases = plan.movement.phases;
-  verify_phase_order(phases, runs);
+  verify_phase_order(phases, violations);
   if (!phases.empty()) {
     double last_s = -kInfinity;
     for (const Phase& phase : phases) last_s = std::max(last_s, phase.end_s);
     if (!(plan.movement.begin_s >= phases.front().begin_s - kPhaseBorderTolerance_s))
-      runs.note_plan("phase", "movement", plan.movement.begin_s, phases.front().begin_s);
+      violations.note_plan("phase", "movement", plan.movement.begin_s, phases.front().begin_s);
     if (!(plan.movement.end_s <= last_s + kPhaseBorderTolerance_s))
-      runs.note_plan("phase", "movement", plan.movement.end_s, last_s);
+      violations.note_plan("phase", "movement", plan.movement.end_s, last_s);
   }
   const Trajectory& trajectory = plan.trajectory;
-  for (std::size_t sample = 0; sample < trajectory.samples(); ++sample) {
+  for (int sample = 0; sample < std::ssize(trajectory.time); ++sample) {
     const double time_s = trajectory.demonstration_time[sample];
     if (may_be_in(phases, trajectory.phase[sample], time_s)) continue;
-    runs.note("phase", "trajectory",
-              {static_cast<int>(2 * sample), static_cast<int>(sample), trajectory.time[sample]},
-              static_cast<double>(trajectory.phase[sample]),
-              static_cast<double>(phase_at(phases, time_s)), 0);
+    violations.note("phase", "trajectory", point_at_sample(trajectory, sample),
+                    static_cast<double>(trajectory.phase[sample]),
+                    static_cast<double>(phase_at(phases, time_s)), 0);
   }
 }
 

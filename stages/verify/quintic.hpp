@@ -5,13 +5,13 @@
 namespace morphe::verify {
 
 /// The trajectory of one joint between two samples: q(s) = sum_k c_k s^k, s in [0, 1], the quintic
-/// that interpolates position, velocity and acceleration at both ends [rad].
+/// that interpolates position, velocity and acceleration at both ends [rad; m if prismatic].
 struct Quintic {
-  std::array<double, 6> c{};  ///< coefficients of q(s)
-  double step_s = 1;          ///< duration [s]
+  std::array<double, 6> c{};
+  double step_s = 1;  ///< duration
 };
 
-/// The state of one joint at a sample: position [rad], velocity [rad/s], acceleration [rad/s^2].
+/// The state of one joint at a sample [rad, rad/s, rad/s^2; m if prismatic].
 struct JointState {
   double position = 0, velocity = 0, acceleration = 0;
 };
@@ -31,8 +31,7 @@ struct Range {
 };
 
 /// Computes the exact ranges of position, velocity, acceleration and jerk over s in [0, 1]. The
-/// zeros of each derivative are the extrema of the next lower one, so that a chain starting from
-/// the linear snap finds all of them.
+/// zeros of each derivative are the extrema of the next lower one, from the linear snap downwards.
 std::array<Range, 4> ranges(const Quintic& quintic);
 /// Computes the ranges over s in [from, to] only.
 std::array<Range, 4> ranges(const Quintic& quintic, double from, double to);

@@ -12,8 +12,7 @@ std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
+      out += std::string("\\") + c;
     } else if (static_cast<unsigned char>(c) < 0x20) {
       out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
     } else {
@@ -29,7 +28,7 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.6g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-std::string number(double value) {
+std::string json_number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
@@ -44,8 +43,8 @@ std::string verify_json(const VerifyReport& report) {
     out += fmt::format(
         "{}\n  {{\"plan\": {}, \"sample\": {}, \"time_s\": {}, \"cause\": {}, \"subject\": {}, "
         "\"value\": {}, \"limit\": {}, \"unit\": {}}}",
-        separator, quoted(v.plan), v.sample, number(v.time_s), quoted(v.cause), quoted(v.subject),
-        number(v.value), number(v.limit), quoted(v.unit));
+        separator, quoted(v.plan), v.sample, json_number(v.time_s), quoted(v.cause),
+        quoted(v.subject), json_number(v.value), json_number(v.limit), quoted(v.unit));
     separator = ",";
   }
   return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
@@ -54,21 +53,18 @@ std::string verify_json(const VerifyReport& report) {
 std::string verify_text(const VerifyReport& report) {
   std::string out;
   for (const Violation& v : report.violations) {
-    const std::string where = v.sample < 0
-                                  ? std::string("plan")
-                                  : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
+    const std::string place =
+        v.sample < 0 ? "plan" : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
     out += v.plan.empty() ? fmt::format("file: {} {}", v.cause, v.subject)
-                          : fmt::format("{}: {}: {} {}", v.plan, where, v.cause, v.subject);
-    if (!std::isnan(v.limit)) {
+                          : fmt::format("{}: {}: {} {}", v.plan, place, v.cause, v.subject);
+    if (!std::isnan(v.limit))
       out += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
-    }
     out += '\n';
   }
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
-  return out + fmt::format("{} executable, {}{} infeasible, {}\n", report.executable, approximate,
-                           report.infeasible,
-                           count_with_noun(report.violations.size(), "violation"));
+  return fmt::format("{}{} executable, {}{} infeasible, {}\n", out, report.executable, approximate,
+                     report.infeasible, count_with_noun(report.violations.size(), "violation"));
 }
 
 }  // namespace morphe::verify

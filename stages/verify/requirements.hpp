@@ -1,25 +1,24 @@
 #pragma once
 
 #include "core/motion/plan_request.hpp"
-#include "stages/verify/violation_collector.hpp"
+#include "stages/verify/violation_log.hpp"
 
 namespace morphe::verify {
 
 /// Records `config` violations if a plan with a trajectory differs from the request:
-/// margin, max_penetration, max_link_penetration, tracking_tolerance_grasp, tracking,
-/// max_unreachable_share, max_tip_error
-///                    not the config's value
+/// required_clearance, …, max_tip_error   a tolerance that is not the config's
 /// goals              frames are not spaced by the config's step; 1e-6 s
-/// start_s, end_s     not the begin of the first phase and the end of the last phase to be planned;
+/// begin_s, end_s     not the begin of the first phase and the end of the last phase to be planned;
 ///                    1e-9 s
 /// approach, retreat  absent though requested, or present though not requested
-/// OBJECT             an object of the config is missing, or has another shape, size or pose (1e-6)
-/// carried            the target is attached to another frame
-void verify_requirements(const Plan& plan, const PlanRequest& asked, ViolationCollector& runs);
+/// OBJECT             an object of the config is missing, moves, or has another shape, size or pose
+///                    (1e-6) than the config gives it
+/// carried_by         the target is attached to another frame than the request's, or to any though
+///                    the movement ends before its attach_s
+void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
 
-/// Records `robot` violations for each column in which a table differs from the requested one:
-/// other names, counts or indices, or numbers that differ by more than 1e-9 of the larger of 1 and
-/// their magnitude.
-void verify_robot(const RobotModel& stored, const RobotModel& asked, ViolationCollector& runs);
+/// Records a `robot` violation for each column in which a stored robot table differs from the
+/// requested one: other names or counts, or numbers x that differ by more than 1e-9 max(1, |x|).
+void verify_robot(const RobotModel& stored, const RobotModel& request, ViolationLog& violations);
 
 }  // namespace morphe::verify

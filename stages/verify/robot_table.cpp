@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <utility>
 
 #include "stages/verify/requirements.hpp"
 
@@ -25,10 +23,10 @@ Column column(const char* name, const Rows& rows, const Row& row) {
 void add(Column& out, const std::string& name) { out.names += name + '\n'; }
 void add(Column& out, double number) { out.numbers.push_back(number); }
 void add(Column& out, const Vec3& point) {
-  out.numbers.insert(out.numbers.end(), point.data(), point.data() + 3);
+  for (const double coordinate : point) add(out, coordinate);
 }
 void add(Column& out, const Pose& pose) {
-  out.numbers.insert(out.numbers.end(), pose.matrix().data(), pose.matrix().data() + 16);
+  for (const double element : pose.matrix().reshaped()) add(out, element);
 }
 
 /// Returns the column of a data member of all rows.
@@ -38,12 +36,6 @@ Column member(const char* name, const Rows& rows, Value Row::*value) {
 }
 
 std::vector<Column> columns_of(const RobotModel& robot) {
-  using Frame = RobotModel::Frame;
-  using Tip = RobotModel::Tip;
-  using Centre = RobotModel::JointCentre;
-  using Capsule = RobotModel::Capsule;
-  using Limit = RobotModel::CoupledLimit;
-  using Curve = RobotModel::BrakingCurve;
   const auto itself = [](Column& out, const auto& value) { add(out, value); };
   const std::vector<double> indices{static_cast<double>(robot.shoulder_frame),
                                     static_cast<double>(robot.palm_frame),
@@ -57,43 +49,42 @@ std::vector<Column> columns_of(const RobotModel& robot) {
       column("velocity", robot.velocity, itself),
       column("acceleration", robot.acceleration, itself),
       column("jerk", robot.jerk, itself),
-      member("frames/name", robot.frames, &Frame::name),
-      member("frames/parent", robot.frames, &Frame::parent),
-      member("frames/transform", robot.frames, &Frame::transform),
-      member("frames/axis", robot.frames, &Frame::axis),
-      member("frames/joint", robot.frames, &Frame::joint),
-      member("frames/ratio", robot.frames, &Frame::ratio),
-      member("frames/offset", robot.frames, &Frame::offset),
-      member("frames/prismatic", robot.frames, &Frame::prismatic),
-      member("tips/name", robot.tips, &Tip::name),
-      member("tips/frame", robot.tips, &Tip::frame),
-      member("tips/transform", robot.tips, &Tip::transform),
-      member("tips/finger", robot.tips, &Tip::finger),
-      member("tips/finger_curve_share", robot.tips, &Tip::finger_curve_share),
-      member("joint_centres/frame", robot.joint_centres, &Centre::frame),
-      member("joint_centres/chain", robot.joint_centres, &Centre::chain),
-      member("capsules/name", robot.capsules, &Capsule::name),
-      member("capsules/frame", robot.capsules, &Capsule::frame),
-      member("capsules/from", robot.capsules, &Capsule::from),
-      member("capsules/to", robot.capsules, &Capsule::to),
-      member("capsules/radius", robot.capsules, &Capsule::radius),
-      member("capsules/may_touch_target", robot.capsules, &Capsule::may_touch_target),
+      member("frames/name", robot.frames, &RobotModel::Frame::name),
+      member("frames/parent", robot.frames, &RobotModel::Frame::parent),
+      member("frames/transform", robot.frames, &RobotModel::Frame::transform),
+      member("frames/axis", robot.frames, &RobotModel::Frame::axis),
+      member("frames/joint", robot.frames, &RobotModel::Frame::joint),
+      member("frames/ratio", robot.frames, &RobotModel::Frame::ratio),
+      member("frames/offset", robot.frames, &RobotModel::Frame::offset),
+      member("frames/prismatic", robot.frames, &RobotModel::Frame::prismatic),
+      member("tips/name", robot.tips, &RobotModel::Tip::name),
+      member("tips/frame", robot.tips, &RobotModel::Tip::frame),
+      member("tips/transform", robot.tips, &RobotModel::Tip::transform),
+      member("tips/finger", robot.tips, &RobotModel::Tip::finger),
+      member("tips/finger_curve_share", robot.tips, &RobotModel::Tip::finger_curve_share),
+      member("joint_centres/frame", robot.joint_centres, &RobotModel::JointCentre::frame),
+      member("joint_centres/chain", robot.joint_centres, &RobotModel::JointCentre::chain),
+      member("capsules/name", robot.capsules, &RobotModel::Capsule::name),
+      member("capsules/frame", robot.capsules, &RobotModel::Capsule::frame),
+      member("capsules/from", robot.capsules, &RobotModel::Capsule::from),
+      member("capsules/to", robot.capsules, &RobotModel::Capsule::to),
+      member("capsules/radius", robot.capsules, &RobotModel::Capsule::radius),
+      member("capsules/may_touch_target", robot.capsules, &RobotModel::Capsule::may_touch_target),
       column("allowed_collision_pairs", robot.allowed_collision_pairs,
              [](Column& out, const std::array<int, 2>& pair) {
                add(out, std::min(pair[0], pair[1]));
                add(out, std::max(pair[0], pair[1]));
              }),
       column("coupled_limits", robot.coupled_limits,
-             [](Column& out, const Limit& own) {
-               for (const double value : {static_cast<double>(own.frame), own.lower, own.upper,
-                                          own.velocity, own.acceleration, own.jerk})
-                 add(out, value);
+             [](Column& out, const auto& own) {
+               out.numbers.insert(out.numbers.end(), {1.0 * own.frame, own.lower, own.upper,
+                                                      own.velocity, own.acceleration, own.jerk});
              }),
       column("braking_curves", robot.braking_curves,
-             [](Column& out, const Curve& own) {
-               for (const double value : {static_cast<double>(own.joint), own.twice_deceleration,
-                                          own.velocity_offset, own.lower_end, own.upper_end})
-                 add(out, value);
+             [](Column& out, const auto& own) {
+               out.numbers.insert(out.numbers.end(),
+                                  {1.0 * own.joint, own.twice_deceleration, own.velocity_offset,
+                                   own.lower_end, own.upper_end});
              }),
       column("unchecked_links", robot.unchecked_links, itself),
   };
@@ -106,20 +97,18 @@ bool agrees(double a, double b) {
 
 }  // namespace
 
-void verify_robot(const RobotModel& stored, const RobotModel& asked, ViolationCollector& runs) {
-  const std::vector<Column> own = columns_of(stored), wanted = columns_of(asked);
-  for (std::size_t c = 0; c < own.size(); ++c) {
-    const Column &is = own[c], &should = wanted[c];
-    if (is.names != should.names || is.numbers.size() != should.numbers.size()) {
-      runs.note_plan("robot", is.name, static_cast<double>(is.numbers.size()),
-                     static_cast<double>(should.numbers.size()));
+void verify_robot(const RobotModel& stored, const RobotModel& request, ViolationLog& violations) {
+  const std::vector<Column> stored_columns = columns_of(stored), columns = columns_of(request);
+  for (int c = 0; c < std::ssize(columns); ++c) {
+    const Column &own = stored_columns[c], &column = columns[c];
+    const std::vector<double>&own_numbers = own.numbers, &numbers = column.numbers;
+    if (own.names != column.names || own_numbers.size() != numbers.size()) {
+      violations.note_plan("robot", own.name, static_cast<double>(own_numbers.size()),
+                           static_cast<double>(numbers.size()));
       continue;
     }
-    for (std::size_t i = 0; i < is.numbers.size(); ++i) {
-      if (agrees(is.numbers[i], should.numbers[i])) continue;
-      runs.note_plan("robot", is.name, is.numbers[i], should.numbers[i]);
-      break;
-    }
+    const auto [found, wanted] = std::ranges::mismatch(own_numbers, numbers, agrees);
+    if (found != own_numbers.end()) violations.note_plan("robot", own.name, *found, *wanted);
   }
 }
 

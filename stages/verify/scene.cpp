@@ -7,81 +7,80 @@
 #include "core/motion/movement.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/scene.hpp"
+#include "stages/verify/find_index.hpp"
 
 namespace morphe::verify {
 namespace {
 
-constexpr double kScenePoseTolerance = 1e-6, kAttachTimeTolerance_s = 1e-9;
+constexpr double kFrameTolerance = 1e-6, kAttachTimeTolerance_s = 1e-9;
 
-bool is_absent(const Pose& pose) { return !pose.matrix().allFinite(); }
-
-/// Returns the deviation of a stored pose from the expected one; both may be absent.
-double pose_error(const Pose& stored, const std::optional<Pose>& wanted) {
-  if (!wanted) return is_absent(stored) ? 0 : kInfinity;
-  if (is_absent(stored)) return kInfinity;
-  return (stored.matrix() - wanted->matrix()).cwiseAbs().maxCoeff();
+/// Returns the deviation of a stored pose from the expected one; 0 if both are absent.
+double pose_error(const Pose& stored, const std::optional<Pose>& expected) {
+  const bool present = stored.matrix().allFinite();
+  if (!present || !expected) return present == expected.has_value() ? 0 : kInfinity;
+  return (stored.matrix() - expected->matrix()).cwiseAbs().maxCoeff();
 }
 
-/// Checks the times at which the hand attaches and releases an object.
-void verify_attach_times(const Plan& plan, const SceneObject& object, ViolationCollector& runs) {
+void verify_attach_times(const Plan& plan, const SceneObject& object, ViolationLog& violations) {
   const auto near = [](double a, double b) { return std::abs(a - b) <= kAttachTimeTolerance_s; };
   const Phase* grasp = last_phase(plan.movement, PhaseKind::grasp);
   if (!grasp || !near(object.attach_s, grasp->end_s))
-    runs.note_plan("scene", object.name, object.attach_s, grasp ? grasp->end_s : kUnknown);
+    violations.note_plan("scene", object.name, object.attach_s, grasp ? grasp->end_s : kUnknown);
   if (!grasp) return;
   const Phase* transport = last_phase(plan.movement, PhaseKind::transport);
   const double release_s =
       transport ? transport->end_s : std::max(plan.movement.end_s, grasp->end_s);
   // Parts of a movement have the release time of the whole movement.
-  const bool good = near(object.release_s, release_s) ||
-                    (!transport && object.release_s >= release_s - kAttachTimeTolerance_s);
-  if (!good) runs.note_plan("scene", object.name, object.release_s, release_s);
+  const bool at_end = near(object.release_s, release_s) ||
+                      (!transport && object.release_s >= release_s - kAttachTimeTolerance_s);
+  if (!at_end) violations.note_plan("scene", object.name, object.release_s, release_s);
 }
 
 void verify_attachment(const RobotModel& robot, const Plan& plan, const SceneObject& object,
-                       ViolationCollector& runs) {
+                       ViolationLog& violations) {
   const bool timed = !std::isnan(object.attach_s) || !std::isnan(object.release_s);
   const bool target = object.name == plan.movement.target;
   if (!timed && object.attached_frame.empty()) return;
   const bool known = object.attached_frame.empty() ||
-                     std::ranges::find(robot.frames, object.attached_frame,
-                                       &RobotModel::Frame::name) != robot.frames.end();
+                     find_index(robot.frames, object.attached_frame, &RobotModel::Frame::name) >= 0;
   if (!target || !known || std::isnan(object.attach_s)) {
-    runs.note_plan("scene", object.name, kUnknown, kUnknown);
+    violations.note_plan("scene", object.name, kUnknown, kUnknown);
     return;
   }
-  verify_attach_times(plan, object, runs);
+  verify_attach_times(plan, object, violations);
 }
 
 }  // namespace
 
-void verify_scene(const RobotModel& robot, const Plan& plan, ViolationCollector& runs) {
+void verify_scene(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
   const std::vector<SceneObject>& objects = plan.scene.objects;
   const SceneObject* target = find_object(objects, plan.movement.target);
   if (!plan.movement.target.empty() && !target)
-    runs.note_plan("scene", "target", kUnknown, kUnknown);
+    violations.note_plan("scene", "target", kUnknown, kUnknown);
   for (const SceneObject& object : objects) {
     if (&object != find_object(objects, object.name))
-      runs.note_plan("scene", object.name, kUnknown, kUnknown);
-    verify_attachment(robot, plan, object, runs);
+      violations.note_plan("scene", object.name, kUnknown, kUnknown);
+    verify_attachment(robot, plan, object, violations);
   }
-  // written by an earlier version, or no object was placed
-  if (is_absent(plan.reference_frames.base_from_world)) return;
-  const Eigen::Matrix3d& turn = plan.reference_frames.base_from_world.linear();
-  if (!(turn.isUnitary(kScenePoseTolerance) && turn.determinant() > 0))
-    runs.note_plan("scene", "reference_frames/recording", kUnknown, kUnknown);
+  const Pose& base_from_world = plan.reference_frames.base_from_world;
+  // A plan of an earlier version, or one without placed objects, has no reference frames.
+  if (!base_from_world.matrix().allFinite()) return;
+  const Eigen::Matrix3d& rotation = base_from_world.linear();
+  if (!(rotation.isUnitary(kFrameTolerance) && rotation.determinant() > 0))
+    violations.note_plan("scene", "reference_frames/recording", kUnknown, kUnknown);
   const double begin_s = plan.movement.begin_s;
-  const auto holds = [&](const char* name, const Pose& stored, const std::optional<Pose>& wanted) {
-    const double away = pose_error(stored, wanted);
-    if (!(away <= kScenePoseTolerance)) runs.note_plan("scene", name, away, kScenePoseTolerance);
+  const auto check = [&](const char* name, const Pose& stored,
+                         const std::optional<Pose>& expected) {
+    const double error = pose_error(stored, expected);
+    if (!(error <= kFrameTolerance)) violations.note_plan("scene", name, error, kFrameTolerance);
   };
-  std::optional<Pose> top, standing;
+  std::optional<Pose> table_pose, target_pose;
   const SceneObject* table = find_object(objects, "table");
   if (table && table->shape == Shape::box)
-    top = recorded_pose(*table, begin_s) * Eigen::Translation3d(0, 0, table->size[2] / 2);
-  if (target) standing = recorded_pose(*target, begin_s);
-  holds("reference_frames/table", plan.reference_frames.base_from_table, top);
-  holds("reference_frames/target", plan.reference_frames.base_from_target, standing);
+    table_pose = recorded_pose(*table, begin_s) * Eigen::Translation3d(0, 0, table->size[2] / 2);
+  if (target) target_pose = recorded_pose(*target, begin_s);
+  check("reference_frames/table", plan.reference_frames.base_from_table, table_pose);
+  check("reference_frames/target", plan.reference_frames.base_from_target, target_pose);
 }
 
 }  // namespace morphe::verify

@@ -2,14 +2,14 @@
 
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
-#include "stages/verify/violation_collector.hpp"
+#include "stages/verify/violation_log.hpp"
 
 namespace morphe::verify {
 
-/// Records `status` violations for a plan with a trajectory that is marked executable although a
-/// larger share of its goals is out of reach than it allows, or a tip is farther from its goal at a
-/// sample than it allows; and for a plan that is marked approximate although neither holds. The
-/// reachability is taken from the file. Files that do not state the allowed values are skipped.
-void verify_status(const RobotModel& robot, const Plan& plan, ViolationCollector& runs);
+/// Records `status` violations of a plan with a trajectory. It must be marked approximate, and not
+/// executable, exactly if more of its goals are out of reach than max_unreachable_share or all are,
+/// or if a tip is farther from its goal at a sample than max_tip_error. The reachability is taken
+/// from the file; goals of automatically closed fingers do not count. Skipped without both values.
+void verify_status(const RobotModel& robot, const Plan& plan, ViolationLog& violations);
 
 }  // namespace morphe::verify

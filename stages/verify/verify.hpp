@@ -15,33 +15,31 @@ namespace morphe::verify {
 
 /// The violations found in a file and the number of its plans by status.
 struct VerifyReport {
-  /// numbers of plans, by the status stored in the file
-  int executable = 0, approximate = 0, infeasible = 0;
+  int executable = 0, approximate = 0, infeasible = 0;  ///< plans, by their stored status
   std::vector<Violation> violations;
 };
 
 /// Verifies one plan against the guarantees of docs/formats.md, with an independent implementation.
-/// Limits are checked along the quintic between samples (exact extrema); clearance and the distance
-/// of tips from their goals are proved there by bisection, and intervals that remain undecided when
-/// no body moves more than 0.01 mm count as violations; the certificate must agree with the
-/// recomputed one (clearance to 1e-4 m, all else to 1e-9, see stages/verify/certificate.hpp).
-/// Returns the violations sorted by sample, cause and subject. Friction, mass, torques and
-/// stiffness of a grasp are compared with the effective config; tolerances, home and scene are
-/// compared with the request; both only if given.
+/// Limits are checked along the quintic between samples (exact extrema). Clearance and the distance
+/// of tips from their goals are proved there by bisection. Intervals that remain undecided when no
+/// body moves more than 0.01 mm count as violations. The certificate must agree with the recomputed
+/// one (certificate.hpp). Friction, mass, torques and stiffness of a grasp are compared with the
+/// effective `config`, tolerances, home and scene with the `request`, if these are given. Returns
+/// the violations of the trajectory sorted by sample, cause and subject, then those of the approach
+/// and of the retreat. `plan_path` is the plan's name in them.
 MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotModel& robot,
                                                  const std::string& plan_path, const Plan& plan,
                                                  const std::string& config = {},
-                                                 const PlanRequest* asked = nullptr);
+                                                 const PlanRequest* request = nullptr);
 
-/// A function that returns a file's request from its header; throws InputError if it cannot be
-/// determined.
+/// Returns a file's request from its header; throws InputError if it cannot be determined.
 using RequirementsReader = std::function<PlanRequest(const PlanFileHeader&)>;
 
-/// Verifies every plan of a plans.h5, of which there must be at least one, and the robot's table;
-/// without `asked_of`, the file is not compared with its config and inputs. Runs on `jobs` threads,
-/// with the same report for any number. Throws InputError if the file cannot be read.
+/// Verifies every plan of a plans.h5, of which there must be at least one. With `read_request`, the
+/// robot's table and the plans are compared with the request, too. Runs on `jobs` threads, with the
+/// same report for any number. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
-                                       const RequirementsReader& asked_of = {}, int jobs = 1);
+                                       const RequirementsReader& read_request = {}, int jobs = 1);
 
 /// Returns the report as JSON: {executable, approximate, infeasible, violations: [{plan, sample,
 /// time_s, cause, subject, value, limit, unit}]}; a number that is not finite is null.

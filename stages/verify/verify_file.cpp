@@ -10,38 +10,38 @@
 #include "core/store/plan_file.hpp"
 #include "stages/verify/requirements.hpp"
 #include "stages/verify/verify.hpp"
-#include "stages/verify/violation_collector.hpp"
+#include "stages/verify/violation_log.hpp"
 
 namespace morphe::verify {
 namespace {
 
 /// Checks that every movement of a demonstration is present, numbered from 000 without gaps.
-void verify_plan_numbering(const std::vector<std::string>& paths, ViolationCollector& runs) {
-  if (paths.empty()) runs.note_plan("structure", "plans", 0, 1);
-  std::map<std::string, int> next;
+void verify_plan_numbering(const std::vector<std::string>& paths, ViolationLog& violations) {
+  if (paths.empty()) violations.note_plan("structure", "plans", 0, 1);
+  std::map<std::string, int> number;
   for (const std::string& path : paths) {
     const std::string demonstration = path.substr(0, path.find('/'));
-    const std::string wanted = fmt::format("{}/{:03}", demonstration, next[demonstration]++);
-    if (path != wanted) runs.note_plan("structure", "plans/" + wanted, kUnknown, kUnknown);
+    const std::string expected = fmt::format("{}/{:03}", demonstration, number[demonstration]++);
+    if (path != expected)
+      violations.note_plan("structure", "plans/" + expected, kUnknown, kUnknown);
   }
 }
 
-/// Returns the file's request; nullopt if it cannot be determined, which is recorded as a
-/// violation.
+/// Returns the file's request; nullopt, and a violation, if it cannot be determined.
 std::optional<PlanRequest> verify_header(const store::PlanReader& reader,
-                                         const RequirementsReader& asked_of,
-                                         ViolationCollector& runs) {
-  if (!asked_of) return std::nullopt;
+                                         const RequirementsReader& read_request,
+                                         ViolationLog& violations) {
+  if (!read_request) return std::nullopt;
   try {
-    const PlanRequest asked = asked_of(reader.header());
-    if (reader.header().config_sha256 != asked.config_sha256)
-      runs.note_plan("config", "config_sha256", kUnknown, kUnknown);
-    verify_robot(reader.robot(), asked.robot, runs);
-    return asked;
+    const PlanRequest request = read_request(reader.header());
+    if (reader.header().config_sha256 != request.config_sha256)
+      violations.note_plan("config", "config_sha256", kUnknown, kUnknown);
+    verify_robot(reader.robot(), request.robot, violations);
+    return request;
   } catch (const InputError& error) {
-    std::string sentence = error.what();
-    std::ranges::replace(sentence, '\n', ';');
-    runs.note_plan("config", sentence, kUnknown, kUnknown);
+    std::string message = error.what();
+    std::ranges::replace(message, '\n', ';');
+    violations.note_plan("config", message, kUnknown, kUnknown);
     return std::nullopt;
   }
 }
@@ -55,15 +55,15 @@ struct VerifiedPlan {
 
 }  // namespace
 
-VerifyReport verify_file(const std::filesystem::path& file, const RequirementsReader& asked_of,
+VerifyReport verify_file(const std::filesystem::path& file, const RequirementsReader& read_request,
                          int jobs) {
   const store::PlanReader reader(file);
   VerifyReport report;
-  ViolationCollector of_the_file("");
-  verify_plan_numbering(reader.plan_paths(), of_the_file);
-  const std::optional<PlanRequest> asked = verify_header(reader, asked_of, of_the_file);
-  report.violations = of_the_file.finish();
-  const bool comparable = asked && asked->robot.joint_names == reader.robot().joint_names;
+  ViolationLog violations("");
+  verify_plan_numbering(reader.plan_paths(), violations);
+  const std::optional<PlanRequest> request = verify_header(reader, read_request, violations);
+  report.violations = violations.finish();
+  const bool comparable = request && request->robot.joint_names == reader.robot().joint_names;
   parallel::OrderedParallelMap<NamedPlan, VerifiedPlan> map;
   map.next = [&, i = std::size_t{0}]() mutable {
     if (i == reader.plan_paths().size()) return std::unique_ptr<NamedPlan>();
@@ -74,14 +74,13 @@ VerifyReport verify_file(const std::filesystem::path& file, const RequirementsRe
     const auto& [path, plan] = named;
     return std::make_unique<VerifiedPlan>(
         VerifiedPlan{plan.status(), verify_plan(reader.robot(), path, plan, reader.header().config,
-                                                comparable ? &*asked : nullptr)});
+                                                comparable ? &*request : nullptr)});
   };
-  map.write = [&](const VerifiedPlan& judged) {
-    ++(judged.status == Status::executable    ? report.executable
-       : judged.status == Status::approximate ? report.approximate
-                                              : report.infeasible);
-    report.violations.insert(report.violations.end(), judged.violations.begin(),
-                             judged.violations.end());
+  map.write = [&](const VerifiedPlan& verified) {
+    ++(verified.status == Status::executable    ? report.executable
+       : verified.status == Status::approximate ? report.approximate
+                                                : report.infeasible);
+    for (const Violation& violation : verified.violations) report.violations.push_back(violation);
   };
   parallel::run(map, jobs);
   return report;

@@ -4,19 +4,24 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace morphe::verify {
 namespace {
 
-using Units = std::map<std::string_view, std::string_view, std::less<>>;
+/// A unit and the quantities that have it.
+struct UnitOf {
+  std::string_view unit;
+  std::set<std::string_view> names;
+};
 
-std::string unit_in(const Units& units, std::string_view name) {
-  const auto found = units.find(name);
-  return found == units.end() ? "" : std::string(found->second);
+std::string unit_in(const std::vector<UnitOf>& units, std::string_view name) {
+  const auto has_name = [&](const UnitOf& entry) { return entry.names.contains(name); };
+  const auto found = std::ranges::find_if(units, has_name);
+  return found == units.end() ? "" : std::string(found->unit);
 }
 
-/// Returns true for a prismatic joint, or a prismatic coupled frame that is checked against its own
-/// limits.
+/// Returns true for a prismatic joint, or a prismatic frame with limits of its own.
 bool is_prismatic(const RobotModel& robot, const std::string& subject) {
   return std::ranges::any_of(robot.frames, [&](const RobotModel::Frame& frame) {
     const bool named =
@@ -28,54 +33,37 @@ bool is_prismatic(const RobotModel& robot, const std::string& subject) {
 }  // namespace
 
 std::string unit_of(const RobotModel& robot, const Violation& violation) {
-  static const Units of_joint = {{"position", ""},
-                                 {"velocity", "/s"},
-                                 {"acceleration", "/s^2"},
-                                 {"jerk", "/s^3"},
-                                 {"rest", "/s or /s^2"}};
-  static const Units of_cause = {
-      {"tracking", "m"}, {"self_collision", "m"}, {"object_collision", "m"}, {"time", "s"}};
-  static const std::set<std::string_view, std::less<>> of_the_grasp = {"grasp", "contact",
-                                                                       "quality", "grasp_force"};
-  static const Units of_grasp = {{"tips_in_object", "m"},
-                                 {"grasp_posture", "rad"},
-                                 {"desired_point", "m"},
-                                 {"point", "m"},
-                                 {"pad", "m"},
-                                 {"signed_distance", "m"},
-                                 {"penetration", "m"},
-                                 {"normal", "rad"},
-                                 {"pad_angle", "rad"},
-                                 {"torsional_friction", "m"},
-                                 {"mass", "kg"},
-                                 {"centre_of_mass", "m"},
-                                 {"characteristic_length", "m"},
-                                 {"required_force_worst", "N"},
-                                 {"required_force_gravity", "N"},
-                                 {"available_force", "N"},
-                                 {"normal_force", "N"},
-                                 {"friction_cone", "N"},
-                                 {"force_balance", "N"},
-                                 {"torque", "N m"},
-                                 {"servo_target", "rad"},
-                                 {"trajectory", "rad"}};
-  static const Units of_subject = {
-      {"max_tip_error", "m"},          {"clearance", "m"},
-      {"tip_error_max", "m"},          {"tip_error_mean", "m"},
-      {"tip_error_grasp", "m"},        {"tip_orientation_error_max", "rad"},
-      {"upper_arm_error_mean", "rad"}, {"upper_arm_error_max", "rad"},
-      {"humanlikeness_mapped", "m^2"}, {"humanlikeness_final", "m^2"}};
-  const auto joint = of_joint.find(violation.cause);
-  if (joint != of_joint.end()) {
+  static const std::map<std::string_view, std::string_view> joint_units = {{"position", ""},
+                                                                           {"velocity", "/s"},
+                                                                           {"acceleration", "/s^2"},
+                                                                           {"jerk", "/s^3"},
+                                                                           {"rest", "/s or /s^2"}};
+  static const std::vector<UnitOf> cause_units = {
+      {"m", {"tracking", "self_collision", "object_collision"}}, {"s", {"time"}}};
+  static const std::set<std::string_view> grasp_causes = {"grasp", "contact", "quality",
+                                                          "grasp_force"};
+  static const std::vector<UnitOf> grasp_units = {
+      {"m",
+       {"tips_in_object", "desired_point", "point", "pad", "signed_distance", "penetration",
+        "torsional_friction", "centre_of_mass", "characteristic_length"}},
+      {"rad", {"grasp_posture", "normal", "pad_angle", "servo_target", "trajectory"}},
+      {"kg", {"mass"}},
+      {"N",
+       {"required_force_worst", "required_force_gravity", "available_force", "normal_force",
+        "friction_cone", "force_balance"}},
+      {"N m", {"torque"}}};
+  static const std::vector<UnitOf> subject_units = {
+      {"m", {"max_tip_error", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp"}},
+      {"rad", {"tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max"}},
+      {"m^2", {"humanlikeness_mapped", "humanlikeness_final"}}};
+  const auto joint = joint_units.find(violation.cause);
+  if (joint != joint_units.end())
     return (is_prismatic(robot, violation.subject) ? "m" : "rad") + std::string(joint->second);
-  }
-  if (violation.cause == "status" || violation.cause == "certificate") {
-    return unit_in(of_subject, violation.subject);
-  }
-  if (of_the_grasp.contains(violation.cause)) {
-    return unit_in(of_grasp, violation.subject.substr(violation.subject.rfind('/') + 1));
-  }
-  return unit_in(of_cause, violation.cause);
+  if (violation.cause == "status" || violation.cause == "certificate")
+    return unit_in(subject_units, violation.subject);
+  if (grasp_causes.contains(violation.cause))
+    return unit_in(grasp_units, violation.subject.substr(violation.subject.rfind('/') + 1));
+  return unit_in(cause_units, violation.cause);
 }
 
 }  // namespace morphe::verify

@@ -8,7 +8,7 @@
 namespace morphe::verify {
 
 /// Returns the unit of a violation's value and limit: m, rad, s, …; "" for a count, a share or a
-/// ratio. A prismatic joint has m instead of rad.
+/// ratio, and for causes whose values differ in unit. A prismatic joint has m instead of rad.
 std::string unit_of(const RobotModel& robot, const Violation& violation);
 
 }  // namespace morphe::verify

@@ -2,34 +2,34 @@
 
 namespace morphe::verify {
 
-Eigen::Matrix<double, 6, 4> contact_wrench_basis(const Vec3& lever, const Vec3& normal,
-                                                 double friction, double torsion) {
-  const Vec3 across = normal.unitOrthogonal(), along = normal.cross(across);
-  Eigen::Matrix<double, 6, 4> g;
-  g.topRows<3>() << normal, friction * across, friction * along, Vec3::Zero();
-  g.bottomRows<3>() << lever.cross(normal), friction * lever.cross(across),
-      friction * lever.cross(along), torsion * normal;
-  return g;
+Eigen::Matrix<double, 6, 4> contact_wrench_basis(const Vec3& moment_arm, const Vec3& normal,
+                                                 double mu, double gamma) {
+  const Vec3 tangent_1 = normal.unitOrthogonal(), tangent_2 = normal.cross(tangent_1);
+  Eigen::Matrix<double, 6, 4> basis;
+  basis.topRows<3>() << normal, mu * tangent_1, mu * tangent_2, Vec3::Zero();
+  basis.bottomRows<3>() << moment_arm.cross(normal), mu * moment_arm.cross(tangent_1),
+      mu * moment_arm.cross(tangent_2), gamma * normal;
+  return basis;
 }
 
-Support support(const WrenchSet& pressing, const Vector6& u) {
-  Support best;
+Support support(const WrenchSet& wrenches, const Vector6& u) {
+  Support result;
   bool first = true;
-  for (const Eigen::Matrix<double, 6, 4>& g : pressing.contacts) {
-    const Eigen::Vector4d done = g.transpose() * u;
-    const double grip = done.tail<3>().norm(), most = done[0] + grip;
-    if (pressing.individually_bounded ? most <= 0 : !first && most <= best.value) continue;
-    Vector6 wrench = g.col(0);
-    if (grip > 0) wrench += g.rightCols<3>() * (done.tail<3>() / grip);
-    if (pressing.individually_bounded) {
-      best.value += most;
-      best.wrench += wrench;
+  for (const Eigen::Matrix<double, 6, 4>& basis : wrenches.contact_bases) {
+    const Eigen::Vector4d power = basis.transpose() * u;  // of each column
+    const double friction_power = power.tail<3>().norm(), max_power = power[0] + friction_power;
+    if (wrenches.limits_each_force ? max_power <= 0 : !first && max_power <= result.value) continue;
+    Vector6 wrench = basis.col(0);
+    if (friction_power > 0) wrench += basis.rightCols<3>() * (power.tail<3>() / friction_power);
+    if (wrenches.limits_each_force) {
+      result.value += max_power;
+      result.wrench += wrench;
     } else {
-      best = {most, wrench};
+      result = {max_power, wrench};
     }
     first = false;
   }
-  return best;
+  return result;
 }
 
 }  // namespace morphe::verify

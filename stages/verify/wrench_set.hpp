@@ -9,27 +9,25 @@ namespace morphe::verify {
 /// A wrench or a twist: linear part, then angular part.
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// The wrenches (f, tau / rho) that pads can exert on an object together (docs/grasp_quality.md).
-/// Each contact contributes all G (1, y) with |y| <= 1, times its normal force; the columns of G
-/// are the wrenches of the unit normal, of mu times two tangents and of the moment gamma about the
-/// normal.
+/// The wrenches (f, tau / rho) that pads can exert on an object together, with the characteristic
+/// length rho (docs/grasp_quality.md). A contact with the normal force p adds p G (1, y), |y| <= 1.
 struct WrenchSet {
-  std::vector<Eigen::Matrix<double, 6, 4>> contacts;  ///< G of each contact
-  /// true: each normal force is in [0, 1]; false: they sum to 1
-  bool individually_bounded = false;
+  std::vector<Eigen::Matrix<double, 6, 4>> contact_bases;  ///< G of each contact
+  bool limits_each_force = false;  ///< true: each normal force is in [0, 1]; false: they sum to 1
 };
 
-/// Returns G for the lever of a contact point from the centre and the torsion gamma, both divided
-/// by the torque scale.
-Eigen::Matrix<double, 6, 4> contact_wrench_basis(const Vec3& lever, const Vec3& normal,
-                                                 double friction, double torsion);
+/// Returns G. Its columns are the wrenches of a unit force along the unit `normal` (into the
+/// object), of forces mu along two tangents, and of the moment gamma about the normal. The arm from
+/// the centre of mass to the contact and gamma must already be divided by rho.
+Eigen::Matrix<double, 6, 4> contact_wrench_basis(const Vec3& moment_arm, const Vec3& normal,
+                                                 double mu, double gamma);
 
-/// The wrench with the greatest power in a twist u, and that power h(u).
+/// The support function h(u): the greatest power w.u of any wrench w of a set in a twist u.
 struct Support {
-  double value = 0;
-  Vector6 wrench = Vector6::Zero();
+  double value = 0;                  ///< h(u)
+  Vector6 wrench = Vector6::Zero();  ///< a wrench with this power
 };
-/// Returns the support of the wrench set in the direction u.
-Support support(const WrenchSet& pressing, const Vector6& u);
+/// Returns the support of a set in the direction u; 0 and the zero wrench without contacts.
+Support support(const WrenchSet& wrenches, const Vector6& u);
 
 }  // namespace morphe::verify

@@ -18,7 +18,6 @@
 #include <string>
 #include <vector>
 
-#include "core/collision/convex_hull.hpp"
 #include "core/collision/mesh_file.hpp"
 #include "core/cover/fit_capsules.hpp"
 

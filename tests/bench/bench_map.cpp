@@ -11,6 +11,7 @@
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/generate.hpp"
 #include "core/robot/forward_kinematics.hpp"
+#include "core/solve/minimise.hpp"
 #include "core/solve/trust_region.hpp"
 #include "tests/bench/bench_map_problems.hpp"
 #ifdef MORPHE_KDL

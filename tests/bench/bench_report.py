@@ -21,17 +21,17 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
 import browser  # noqa: E402
 
-LIST_THERE = "return document.querySelectorAll('table.many tbody:not(.spacer) tr').length > 0"
+LIST_THERE = "return document.querySelectorAll('table.plan-table tbody:not(.spacer) tr').length > 0"
 SCENE_THERE = "return document.querySelector('.instant')?.textContent.startsWith('robot')"
 NEXT_FRAME = "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done(performance.now() - start)));"
 ACTS = {
-    "sort": "const start = performance.now(); document.querySelectorAll('table.many th button')[4].click();" + NEXT_FRAME,
+    "sort": "const start = performance.now(); document.querySelectorAll('table.plan-table th button')[4].click();" + NEXT_FRAME,
     "filter": "const start = performance.now(); document.querySelector('.count.status-executable').click();" + NEXT_FRAME,
     "search": "const start = performance.now(); const s = document.querySelector('input[type=search]');"
               "s.value = '3'; s.dispatchEvent(new Event('input'));" + NEXT_FRAME,
 }
 OPEN = ("const [row, done] = arguments, start = performance.now();"
-        "location.hash = document.querySelectorAll('table.many a')[row].getAttribute('href');"
+        "location.hash = document.querySelectorAll('table.plan-table a')[row].getAttribute('href');"
         "const look = () => (document.querySelector('.instant')?.textContent.startsWith('robot') && "
         "!document.querySelector('#movement').hidden && document.querySelector('.plot')"
         " ? requestAnimationFrame(() => done(performance.now() - start)) : requestAnimationFrame(look)); look();")

@@ -43,6 +43,7 @@ PLAN = {
     "findings/begin_s": ("D", "s", None), "findings/end_s": ("D", "s", None),
     "findings/cause": ("D", "", None), "findings/subject": ("D", "", None),
     "findings/other_body": ("D", "", None), "findings/excess": ("D", "m or rad", None),
+    "findings/unit": ("D", "", None), "findings/limit": ("D", "m or rad", None),
     "path/position": ("Wn", "rad", None), "path/origin": ("W", "1", None),
     "path/demonstration_time": ("W", "s", None),
 }

@@ -49,7 +49,7 @@ class Diff(FewCase):
     def test_equal(self):
         self.assertEqual(self.found(), {})
         self.assertRegex(self.diff().stdout, r"^equal: \d+ plans\n$")
-        self.assertEqual(self.diff("--all", "--sort", "tempo").returncode, 0)
+        self.assertEqual(self.diff("--all", "--sort", "duration_ratio").returncode, 0)
 
     def test_a_runs_folder_stands_for_its_plans(self):
         for command in (["diff", self.plain, self.plain], ["verify", self.plain],
@@ -143,7 +143,7 @@ class Diff(FewCase):
         report = json.loads(self.diff("--json").stdout)
         self.assertEqual([row["plan"] for row in report["status_changes"]], executable)
         self.assertEqual(report["status_changes"][0]["second"]["reason"], "duration_too_short")
-        self.assertEqual(report["figures"]["tempo"]["plans"], 0)
+        self.assertEqual(report["figures"]["duration_ratio"]["plans"], 0)
 
     def test_a_weight_moves_humanlikeness_the_right_way(self):
         self.run_json("--set", "map.humanlike_arm=100")
@@ -245,7 +245,7 @@ class Table(FewCase):
     def test_sort_and_only(self):
         listed = self.rows(self.succeeds("list", self.plain).stdout)
         tempos = [values.split()[-1] for _, _, values in self.rows(
-            self.succeeds("list", self.plain, "--sort", "tempo").stdout)]
+            self.succeeds("list", self.plain, "--sort", "duration_ratio").stdout)]
         known = [float(tempo) for tempo in tempos if tempo != "-"]
         self.assertEqual(known, sorted(known, reverse=True))
         self.assertNotIn("-", tempos[:len(known)])

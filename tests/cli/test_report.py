@@ -102,10 +102,10 @@ class Report(unittest.TestCase):
         self.assertIn("4 of 5 plans", page.report["runs"][0]["left_out"])
         page = self.made(self.post, "--plans", "ADL001*")
         self.assertEqual([row["plan"] for row in page.rows], ["ADL001DR2/000", "ADL001FR1/000", "ADL001AR1/000"])
-        page = self.made(self.post, "--worst", 2, "tempo")
+        page = self.made(self.post, "--worst", 2, "duration_ratio")
         with h5py.File(self.post) as file:
-            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"] for name in file["plans"]}
-        worst = sorted(tempo, key=tempo.get)[-2:]
+            duration_ratio = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"] for name in file["plans"]}
+        worst = sorted(duration_ratio, key=duration_ratio.get)[-2:]
         self.assertEqual({row["plan"] for row in page.rows}, set(worst))
 
     def test_an_infeasible_plan_has_its_worst_instant_and_advice(self):

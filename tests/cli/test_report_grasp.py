@@ -94,7 +94,7 @@ class ReportGrasp(CommandCase):
         with h5py.File(PLANS) as file:
             self.assertEqual(tips, list(file["plans"][PLAN]["grasp/contacts/tip"].asstr()))
         text = window.execute_script("return document.querySelector('.grasp').innerText")
-        for part in ("In physics (MuJoCo", "of 2 rollouts", "required to lift, commanded", "the plan's"):
+        for part in ("Physics simulation (MuJoCo", "of 2 rollouts", "required to lift, commanded", "from the plan"):
             self.assertIn(part, text)
 
         def picture():

@@ -152,7 +152,7 @@ class ReportPage(unittest.TestCase):
         self.open(self.post / "report.html")
         for _ in range(40):  # to the table
             self.press(Keys.TAB)
-            if self.run_script("return document.activeElement.matches('table.many')"):
+            if self.run_script("return document.activeElement.matches('table.plan-table')"):
                 break
         self.press(Keys.DOWN, Keys.ENTER)
         self.wait("return document.querySelectorAll('.plot').length >= 7")
@@ -208,7 +208,7 @@ class ReportPage(unittest.TestCase):
     def test_the_table_shows_the_files_numbers(self):
         self.open(self.post / "report.html")
         shown = self.run_script(
-            "return [...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map("
+            "return [...document.querySelectorAll('table.plan-table tbody:not(.spacer) tr')].map("
             "r => [r.cells[0].textContent, ...[...r.cells].map(c => c.title)])")
         self.assertEqual(len(shown), 5)
         with h5py.File(self.post / "plans.h5") as file:
@@ -226,7 +226,7 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(morphe("report", file, "--out", self.folder / "estimated.html").returncode, 0)
         self.open(self.folder / "estimated.html")
         marked = self.run_script(
-            "return [...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map(r => [r.cells[0]."
+            "return [...document.querySelectorAll('table.plan-table tbody:not(.spacer) tr')].map(r => [r.cells[0]."
             "textContent, [...r.cells].filter(c => c.textContent.startsWith('~')).map(c => c.title)])")
         self.assertEqual(len(marked), 5)
         for plan, titles in marked:
@@ -235,7 +235,7 @@ class ReportPage(unittest.TestCase):
 
     def test_filters_sort_and_search(self):
         self.open(self.fr3 / "report.html")
-        rows = "[...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map(r => r.cells[0].textContent)"
+        rows = "[...document.querySelectorAll('table.plan-table tbody:not(.spacer) tr')].map(r => r.cells[0].textContent)"
         self.run_script("document.querySelector('.count.status-infeasible').click()")
         self.assertEqual(self.run_script(f"return {rows}"), ["ADL006DR2/000"])
         self.wait("return location.hash === '#?status=infeasible'")
@@ -244,11 +244,11 @@ class ReportPage(unittest.TestCase):
         box.send_keys("fr1")
         self.assertEqual(self.run_script(f"return {rows}"), ["ADL001FR1/000"])
         box.clear()
-        self.open(self.fr3 / "report.html", "#?sort=-tempo")
+        self.open(self.fr3 / "report.html", "#?sort=-duration_ratio")
         with h5py.File(self.fr3 / "plans.h5") as file:
-            tempo = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"]
+            duration_ratio = {f"{name}/000": file[f"plans/{name}/000/certificate"].attrs["duration_ratio"]
                      for name in file["plans"] if file[f"plans/{name}/000"].attrs["status"] == b"executable"}
-        slowest = sorted(tempo, key=tempo.get, reverse=True)
+        slowest = sorted(duration_ratio, key=duration_ratio.get, reverse=True)
         self.assertEqual(self.run_script(f"return {rows}")[:len(slowest)], slowest)
 
     def test_two_runs_side_by_side(self):
@@ -256,14 +256,14 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(morphe("report", self.post, self.fr3, "--out", both).returncode, 0)
         self.open(both, "#?differences=0~1")
         titles = self.run_script(
-            "return [...document.querySelectorAll('table.many tbody:not(.spacer) tr')].map("
+            "return [...document.querySelectorAll('table.plan-table tbody:not(.spacer) tr')].map("
             "r => [r.cells[0].textContent, [...r.cells].map(c => c.title).find(t => t.startsWith('duration_ratio:')), r.textContent])")
         self.assertEqual(len(titles), 5)
         with h5py.File(self.post / "plans.h5") as a, h5py.File(self.fr3 / "plans.h5") as b:
-            for plan, tempo, text in titles:
+            for plan, duration_ratio, text in titles:
                 if "infeasible" in text:
                     continue
-                values = [float(word) for word in tempo.replace("duration_ratio:", "").split("→")]
+                values = [float(word) for word in duration_ratio.replace("duration_ratio:", "").split("→")]
                 self.assertEqual(values, [file["plans"][plan]["certificate"].attrs["duration_ratio"] for file in (a, b)])
         self.open(both, "#0:ADL001DR2/000/1")
         alone = self.picture()
@@ -285,14 +285,14 @@ class ReportPage(unittest.TestCase):
         done = morphe("report", hostile, "--out", page)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.open(page)
-        links = self.run_script("return [...document.querySelectorAll('table.many a')].map(a => a.textContent)")
+        links = self.run_script("return [...document.querySelectorAll('table.plan-table a')].map(a => a.textContent)")
         self.assertTrue(any(link.startswith("<img") for link in links))
-        cells = self.run_script("return [...document.querySelectorAll('table.many td')].map(c => c.textContent)")
+        cells = self.run_script("return [...document.querySelectorAll('table.plan-table td')].map(c => c.textContent)")
         self.assertTrue(any(cell.startswith("<img") and "/000" not in cell for cell in cells))
         long = next(cell for cell in cells if cell.startswith("long"))
         self.assertLess(len(long), 1000)
         self.assertFalse(self.run_script("return document.body.scrollWidth > innerWidth"))
-        self.run_script("[...document.querySelectorAll('table.many a')].find("
+        self.run_script("[...document.querySelectorAll('table.plan-table a')].find("
                         "a => a.textContent.startsWith('<img')).click()")
         self.wait("return document.querySelectorAll('.plot').length >= 7")
         self.assertIn("<img", self.text(".movement-head h2"))

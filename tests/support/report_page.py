@@ -31,7 +31,7 @@ def with_tables(node, data):
     if not isinstance(node, dict):
         return node
     if "array" in node:
-        return table(data, *node["array"], node["step"], node["at"])
+        return table(data, *node["array"], node["step"], node["offset"])
     return {key: with_tables(value, data) for key, value in node.items()}
 
 

@@ -6,7 +6,7 @@
 namespace morphe::robot {
 namespace {
 
-/// Returns the chain's hinges without those at `skip`, one for each position.
+/// Returns the chain's hinges, one for each place; those at the place of frame `skip` are omitted.
 std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& base_from_frame,
                                  int skip) {
   const auto origin = [&](int frame) -> Vec3 { return base_from_frame[frame].translation(); };
@@ -20,7 +20,7 @@ std::vector<int> distinct_hinges(const Chain& chain, const std::vector<Pose>& ba
   return distinct;
 }
 
-bool carries_something(const Assembly& assembly, const Chain& arm) {
+bool carries_chain(const Assembly& assembly, const Chain& arm) {
   return std::ranges::any_of(assembly.chains, [&](const Chain& chain) {
     return chain.name != arm.name &&
            is_in_subtree(assembly.table, chain.frames.front(), arm.frames.front());
@@ -41,13 +41,12 @@ void derive_centres(Assembly& assembly) {
   forward_kinematics(table, JointVector::Zero(table.joints()), base_from_frame);
   std::vector<RobotModel::JointCentre> centres;
   for (const Chain& chain : assembly.chains) {
-    const auto before = centres.size();
-    std::ranges::copy_if(table.joint_centres, std::back_inserter(centres),
-                         [&](const RobotModel::JointCentre& c) { return c.chain == chain.name; });
-    if (centres.size() > before) continue;
+    const auto of_chain = [&](const RobotModel::JointCentre& c) { return c.chain == chain.name; };
+    std::ranges::copy_if(table.joint_centres, std::back_inserter(centres), of_chain);
+    if (std::ranges::any_of(table.joint_centres, of_chain)) continue;
     if (chain.arm) {
       std::vector<int> joints = distinct_hinges(chain, base_from_frame, table.shoulder_frame);
-      if (joints.size() > 1 && !carries_something(assembly, chain)) joints.pop_back();
+      if (joints.size() > 1 && !carries_chain(assembly, chain)) joints.pop_back();
       for (const int frame : joints) centres.push_back({frame, "arm"});
     } else if (is_finger(table, chain)) {
       const std::vector<int> joints = distinct_hinges(chain, base_from_frame, chain.frames.front());

@@ -15,8 +15,8 @@ namespace {
 int read_finger(const config::ConfigNode& node) {
   const std::string word = node.text();
   if (word == "wrist") return -1;
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
-    if (word == kFingerNames[finger]) return static_cast<int>(finger);
+  for (int finger = 0; finger < std::ssize(kFingerNames); ++finger) {
+    if (word == kFingerNames[finger]) return finger;
   }
   if (word.size() == 1 && word[0] >= '0' && word[0] <= '4') return word[0] - '0';
   node.fail(
@@ -25,15 +25,13 @@ int read_finger(const config::ConfigNode& node) {
 
 void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
   const char* key = node.has("chain") ? "chain" : "frame";
-  const MountPoint place = find_mount_point(assembly, scope, node[key]);
+  const MountPoint mount = find_mount_point(assembly, scope, node[key]);
   RobotModel::Tip tip;
   tip.name = scope.prefix + node["name"].text();
-  tip.frame = place.frame;
+  tip.frame = mount.frame;
   if (tip.frame < 0) node[key].fail("a tip must be attached to a frame that moves");
-  tip.transform = place.frame_from_mount * read_optional_mount(node);
-  if (node.has("pad_depth")) {
-    tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
-  }
+  tip.transform = mount.frame_from_mount * read_optional_mount(node);
+  if (node.has("pad_depth")) tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
   if (node.has("finger_curve_share")) {
     tip.finger_curve_share = node["finger_curve_share"].number();
     if (tip.finger_curve_share < 0 || tip.finger_curve_share > 1)
@@ -42,10 +40,8 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
   } else {
     tip.finger = read_finger(node["finger"]);
   }
-  for (const RobotModel::Tip& other : assembly.table.tips) {
-    if (other.name == tip.name)
-      node["name"].fail(fmt::format("a tip '{}' already exists", tip.name));
-  }
+  if (std::ranges::count(assembly.table.tips, tip.name, &RobotModel::Tip::name) > 0)
+    node["name"].fail(fmt::format("a tip '{}' already exists", tip.name));
   assembly.table.tips.push_back(std::move(tip));
 }
 
@@ -57,11 +53,8 @@ void add_ready_frames(Assembly& assembly, const FileScope& scope,
       ++node;
       continue;
     }
-    const MountPoint place = read_mount_point(assembly, scope, *node);
-    RobotModel::Frame frame;
-    frame.parent = place.frame;
-    frame.transform = place.frame_from_mount;
-    add_frame(assembly, scope, (*node)["name"], frame);
+    const MountPoint mount = read_mount_point(assembly, scope, *node);
+    add_frame(assembly, scope, (*node)["name"], {"", mount.frame, mount.frame_from_mount});
     node = nodes.erase(node);
   }
 }
@@ -70,20 +63,17 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
                             const config::ConfigNode& root) {
   DhConvention convention = DhConvention::modified;
   if (root.has("convention")) convention = read_convention(root["convention"]);
-  std::vector<config::ConfigNode> fixed;
-  if (root.has("frames")) fixed = root["frames"].items();
+  std::vector<config::ConfigNode> fixed = optional_items(root, "frames");
   add_ready_frames(assembly, scope, fixed);
-  if (root.has("chains")) {
-    for (const config::ConfigNode& chain : root["chains"].items()) {
-      assembly.problems.attempt([&] {
-        if (chain.has("joints")) {
-          read_chain(assembly, scope, convention, chain);
-        } else {
-          read_urdf_chain(assembly, scope, chain);
-        }
-        add_ready_frames(assembly, scope, fixed);
-      });
-    }
+  for (const config::ConfigNode& chain : optional_items(root, "chains")) {
+    assembly.problems.attempt([&] {
+      if (chain.has("joints")) {
+        read_chain(assembly, scope, convention, chain);
+      } else {
+        read_urdf_chain(assembly, scope, chain);
+      }
+      add_ready_frames(assembly, scope, fixed);
+    });
   }
   if (!assembly.problems.none()) return;
   for (const config::ConfigNode& node : fixed) {
@@ -97,21 +87,21 @@ void read_chains_and_frames(Assembly& assembly, const FileScope& scope,
   if (!fixed.empty()) fixed.front()["parent"].fail("is a loop: the frame is its own ancestor");
 }
 
-void read_centres(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
-  for (const config::ConfigNode& node : list.items()) {
+void read_centres(Assembly& assembly, const FileScope& scope,
+                  const std::vector<config::ConfigNode>& nodes) {
+  for (const config::ConfigNode& node : nodes) {
     const config::ConfigNode chain = node["chain"];
     const auto same = [&](const Chain& c) {
       return c.name == scope.prefix + chain.text() || c.name == chain.text();
     };
-    const auto meant = std::ranges::find_if(assembly.chains, same);
-    if (meant == assembly.chains.end()) {
+    const auto found = std::ranges::find_if(assembly.chains, same);
+    if (found == assembly.chains.end())
       chain.fail(fmt::format("there is no chain '{}'", chain.text()));
-    }
     const config::ConfigNode frame = node["frame"];
     (void)find_mount_point(assembly, scope, frame);
     const int index = find_frame(assembly, scope, frame.text());
     if (index < 0) frame.fail("must be a frame");
-    assembly.table.joint_centres.push_back({index, meant->arm ? "arm" : meant->name});
+    assembly.table.joint_centres.push_back({index, found->arm ? "arm" : found->name});
   }
 }
 
@@ -127,37 +117,34 @@ void read_frame_name(const Assembly& assembly, const FileScope& scope,
 FileScope read_description(const config::ConfigNode& root, const MountPoint& base,
                            const std::string& prefix, Assembly& assembly);
 
-/// Reads `hold: [{joint, at}]`.
-void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config::ConfigNode& list) {
-  for (const config::ConfigNode& node : list.items()) {
+int read_joint(const Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+  const int joint = find_joint(assembly.table, scope, node.text());
+  if (joint < 0) node.fail(fmt::format("there is no actuated joint '{}'", node.text()));
+  return joint;
+}
+
+/// Reads `fixed_joints: [{joint, position}]`.
+void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config::ConfigNode& root) {
+  for (const config::ConfigNode& node : optional_items(root, "fixed_joints")) {
     assembly.problems.attempt([&] {
-      const std::string name = node["joint"].text();
-      const auto& names = assembly.table.joint_names;
-      auto joint = std::ranges::find(names, scope.prefix + name);
-      if (joint == names.end()) joint = std::ranges::find(names, name);
-      if (joint == names.end())
-        node["joint"].fail(fmt::format("there is no actuated joint '{}'", name));
-      const auto j = static_cast<std::size_t>(joint - names.begin());
+      const int joint = read_joint(assembly, scope, node["joint"]);
       const double position = node.has("position") ? node["position"].number() : 0;
-      if (position < assembly.lower[j] || position > assembly.upper[j])
+      const JointLimits& limits = assembly.limits[joint];
+      if (position < limits.lower || position > limits.upper)
         node[node.has("position") ? "position" : "joint"].fail(fmt::format(
-            "{} is outside its limits, {} to {}", position, assembly.lower[j], assembly.upper[j]));
-      assembly.fixed_joints.push_back({*joint, position});
+            "{} is outside its limits, {} to {}", position, limits.lower, limits.upper));
+      assembly.fixed_joints.push_back({assembly.table.joint_names[joint], position});
     });
   }
 }
 
-/// Reads `natural: [{joint, follow, value}]`.
+/// Reads `natural_posture: [{joint, follow, value}]`.
 void read_natural_posture(Assembly& assembly, const FileScope& scope,
-                          const config::ConfigNode& list) {
+                          const config::ConfigNode& root) {
   const auto joint_named = [&](const config::ConfigNode& node) {
-    const auto& names = assembly.table.joint_names;
-    for (const std::string& name : {scope.prefix + node.text(), node.text()}) {
-      if (std::ranges::count(names, name) > 0) return name;
-    }
-    node.fail(fmt::format("there is no actuated joint '{}'", node.text()));
+    return assembly.table.joint_names[read_joint(assembly, scope, node)];
   };
-  for (const config::ConfigNode& node : list.items()) {
+  for (const config::ConfigNode& node : optional_items(root, "natural_posture")) {
     assembly.problems.attempt([&] {
       NaturalJoint joint{joint_named(node["joint"]), "", 0};
       if (node.has("follow")) joint.follow = joint_named(node["follow"]);
@@ -168,47 +155,43 @@ void read_natural_posture(Assembly& assembly, const FileScope& scope,
 }
 
 void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
-  const MountPoint place = read_mount_point(assembly, scope, node);
-  remove_parent_wrist_tip(assembly, place);
-  if (node.has("generate")) return read_generated(assembly, place, node["generate"]);
+  const MountPoint mount = read_mount_point(assembly, scope, node);
+  remove_parent_wrist_tip(assembly, mount);
+  if (node.has("generate")) return read_generated(assembly, mount, node["generate"]);
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files; does a file include itself?");
   const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
   const FileScope part = read_description(config::ConfigNode::load(node.folder() / file.text()),
-                                          place, scope.prefix + prefix, assembly);
+                                          mount, scope.prefix + prefix, assembly);
   scope.links.insert(part.links.begin(), part.links.end());
 }
 
 FileScope read_description(const config::ConfigNode& root, const MountPoint& base,
                            const std::string& prefix, Assembly& assembly) {
   assembly.files.push_back(root.file());
-  FileScope scope{base, prefix, assembly.table.capsules.size()};
+  FileScope scope{base, prefix, std::ssize(assembly.table.capsules)};
   const auto attempt = [&](const auto& step) { assembly.problems.attempt(step); };
   config::report_unknown_keys(root, robot_schema(), assembly.problems);
   const std::string name = root["name"].text();
-  if (root.has("parts")) {
-    for (const config::ConfigNode& part : root["parts"].items()) read_part(assembly, scope, part);
-  }
+  for (const config::ConfigNode& part : optional_items(root, "parts"))
+    read_part(assembly, scope, part);
   assembly.table.name = name;
   if (root.has("generate")) read_generated(assembly, base, root["generate"]);
   if (root.has("urdf")) read_urdf(assembly, scope, root["urdf"]);
   read_chains_and_frames(assembly, scope, root);
   assembly.problems.throw_if_any();  // further errors would only be consequences
-  if (root.has("fixed_joints")) read_fixed_joints(assembly, scope, root["fixed_joints"]);
+  read_fixed_joints(assembly, scope, root);
   attempt([&] { read_frame_name(assembly, scope, root, "shoulder", assembly.shoulder); });
   attempt([&] { read_frame_name(assembly, scope, root, "palm", assembly.palm); });
-  if (root.has("tips")) {
-    for (const config::ConfigNode& tip : root["tips"].items())
-      attempt([&] { read_tip(assembly, scope, tip); });
-  }
+  for (const config::ConfigNode& tip : optional_items(root, "tips"))
+    attempt([&] { read_tip(assembly, scope, tip); });
   if (root.has("side")) {
     const std::optional<Side> side = morphe::enum_from_name<Side>(root["side"].text());
-    if (side) assembly.table.side = *side;
     if (!side) attempt([&] { root["side"].fail("must be left or right"); });
+    assembly.table.side = side.value_or(assembly.table.side);
   }
-  if (root.has("natural_posture")) read_natural_posture(assembly, scope, root["natural_posture"]);
-  if (root.has("joint_centres"))
-    attempt([&] { read_centres(assembly, scope, root["joint_centres"]); });
+  read_natural_posture(assembly, scope, root);
+  attempt([&] { read_centres(assembly, scope, optional_items(root, "joint_centres")); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
   if (assembly.problems.none()) root.require_all_keys_read();
   if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
@@ -216,18 +199,16 @@ FileScope read_description(const config::ConfigNode& root, const MountPoint& bas
 }
 
 RobotDescription build_description(const config::ConfigNode& root) {
-  const std::filesystem::path file = root.file();
+  const std::string file = root.file().string();
   Assembly assembly;
   config::ErrorList& problems = assembly.problems;
   problems.attempt([&] { read_description(root, MountPoint{}, "", assembly); });
   problems.throw_if_any();
   if (assembly.palm.empty() && std::ranges::none_of(assembly.chains, &Chain::arm)) {
-    problems.add(
-        fmt::format("{}:1: palm: is missing, and there is no chain 'arm' whose end could be used",
-                    file.string()));
+    problems.add(fmt::format(
+        "{}:1: palm: is missing, and there is no chain 'arm' whose end could be used", file));
   }
-  if (assembly.table.tips.empty())
-    problems.add(fmt::format("{}:1: tips: are missing", file.string()));
+  if (assembly.table.tips.empty()) problems.add(fmt::format("{}:1: tips: are missing", file));
   problems.throw_if_any();
   finalize_robot(assembly);
   problems.throw_if_any();

@@ -10,21 +10,17 @@
 namespace morphe::robot {
 namespace {
 
-JointVector vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const JointVector>(values.data(), values.size());
-}
-
-/// Returns the arm that carries the palm, or the first arm if no arm does, and clears the mark of
-/// all other arms.
+/// Chooses the first of the arms that carry the palm, else the first arm, and clears Chain::arm of
+/// all others. Returns null without an arm.
 const Chain* choose_arm(Assembly& assembly) {
   const int palm = frame_index(assembly.table, assembly.palm);
   Chain* arm = nullptr;
-  bool carried = false;
+  bool arm_carries = false;
   for (Chain& chain : assembly.chains) {
     if (!std::exchange(chain.arm, false)) continue;
     const bool carries = palm >= 0 && is_in_subtree(assembly.table, palm, chain.frames.front());
-    if (!arm || (carries && !carried)) arm = &chain;
-    carried = carried || carries;
+    if (!arm || (carries && !arm_carries)) arm = &chain;
+    arm_carries = arm_carries || carries;
   }
   if (arm) arm->arm = true;
   return arm;
@@ -32,24 +28,19 @@ const Chain* choose_arm(Assembly& assembly) {
 
 }  // namespace
 
-void remove_parent_wrist_tip(Assembly& assembly, const MountPoint& place) {
+void remove_parent_wrist_tip(Assembly& assembly, const MountPoint& mount) {
   std::erase_if(assembly.table.tips, [&](const RobotModel::Tip& tip) {
-    return tip.finger < 0 && place.frame >= 0 &&
-           (is_in_subtree(assembly.table, tip.frame, place.frame) ||
-            is_in_subtree(assembly.table, place.frame, tip.frame));
+    return tip.finger < 0 && mount.frame >= 0 &&
+           (is_in_subtree(assembly.table, tip.frame, mount.frame) ||
+            is_in_subtree(assembly.table, mount.frame, tip.frame));
   });
 }
 
 void finalize_robot(Assembly& assembly) {
   tighten_limits(assembly);
   fix_joints(assembly);
+  set_limits(assembly);
   RobotModel& table = assembly.table;
-  table.lower = vector_of(assembly.lower);
-  table.upper = vector_of(assembly.upper);
-  table.velocity = vector_of(assembly.velocity);
-  table.acceleration = vector_of(assembly.acceleration);
-  table.jerk = vector_of(assembly.jerk);
-
   const Chain* arm = choose_arm(assembly);
   if (!assembly.shoulder.empty()) {
     table.shoulder_frame = frame_index(table, assembly.shoulder);
@@ -69,7 +60,7 @@ void finalize_robot(Assembly& assembly) {
         fmt::format("{}: meshes of {} are ignored; `morphe robot setup` fits capsules to them",
                     file, fmt::join(links, ", ")));
   }
-  for (const auto& [one, other] : assembly.allowed_frames) allow_frames(table, 0, one, other);
+  for (const auto& [one, other] : assembly.allowed_frames) allow_frames(table, one, other);
   allow_neighbours(table);
   table.unchecked_links = unchecked_links(assembly);
 }

@@ -2,10 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/robot/files/assembly.hpp"
-#include "core/robot/tree.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -16,8 +14,9 @@ bool moves_a_tip(const RobotModel& table, int joint) {
   });
 }
 
-void fix(RobotModel::Frame& frame, double at) {
-  const double value = frame.ratio * at + frame.offset;
+/// Makes a frame fixed at its place for this position of its joint.
+void fix(RobotModel::Frame& frame, double position) {
+  const double value = frame.ratio * position + frame.offset;
   if (frame.prismatic) {
     frame.transform.translate(value * frame.axis);
   } else {
@@ -30,11 +29,11 @@ void fix(RobotModel::Frame& frame, double at) {
   frame.prismatic = false;
 }
 
-/// Removes a joint from every list; the indices of later joints decrease by one.
-void remove_joint(Assembly& assembly, int joint, double at) {
+/// Fixes a joint and removes it from every list; the indices of later joints decrease by one.
+void remove_joint(Assembly& assembly, int joint, double position) {
   RobotModel& table = assembly.table;
   for (RobotModel::Frame& frame : table.frames) {
-    if (frame.joint == joint) fix(frame, at);
+    if (frame.joint == joint) fix(frame, position);
     if (frame.joint > joint) --frame.joint;
   }
   std::erase_if(table.coupled_limits, [&](const RobotModel::CoupledLimit& limit) {
@@ -43,10 +42,7 @@ void remove_joint(Assembly& assembly, int joint, double at) {
   std::erase_if(table.braking_curves,
                 [&](const RobotModel::BrakingCurve& curve) { return curve.joint == joint; });
   for (RobotModel::BrakingCurve& curve : table.braking_curves) curve.joint -= curve.joint > joint;
-  for (std::vector<double>* list : {&assembly.lower, &assembly.upper, &assembly.velocity,
-                                    &assembly.acceleration, &assembly.jerk}) {
-    list->erase(list->begin() + joint);
-  }
+  assembly.limits.erase(assembly.limits.begin() + joint);
   table.joint_names.erase(table.joint_names.begin() + joint);
 }
 
@@ -56,15 +52,15 @@ void fix_joints(Assembly& assembly) {
   RobotModel& table = assembly.table;
   std::vector<std::string> idle;
   for (int joint = static_cast<int>(table.joints()) - 1; joint >= 0; --joint) {
-    const auto j = static_cast<std::size_t>(joint);
-    const std::string name = table.joint_names[j];
-    const auto held = std::ranges::find(assembly.fixed_joints, name, &FixedJoint::joint);
-    const bool asked = held != assembly.fixed_joints.end();
-    if (!asked && (table.tips.empty() || moves_a_tip(table, joint))) continue;
-    const double rest = std::clamp(0.0, assembly.lower[j], assembly.upper[j]);
-    const double at = asked ? held->position : rest;
-    if (!asked) idle.insert(idle.begin(), fmt::format("{} at {:.4g}", name, at));
-    remove_joint(assembly, joint, at);
+    const std::string name = table.joint_names[joint];
+    const auto fixed = std::ranges::find(assembly.fixed_joints, name, &FixedJoint::joint);
+    const bool requested = fixed != assembly.fixed_joints.end();
+    if (!requested && (table.tips.empty() || moves_a_tip(table, joint))) continue;
+    const JointLimits& limits = assembly.limits[joint];
+    const double position =
+        requested ? fixed->position : std::clamp(0.0, limits.lower, limits.upper);
+    if (!requested) idle.insert(idle.begin(), fmt::format("{} at {:.4g}", name, position));
+    remove_joint(assembly, joint, position);
     std::erase_if(assembly.natural, [&](const NaturalJoint& natural) {
       return natural.joint == name || natural.follow == name;
     });

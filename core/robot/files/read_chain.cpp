@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include "core/robot/files/assembly.hpp"
+#include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::robot {
 namespace {
+
+constexpr double kParallelSine = 1e-6;  ///< of the angle below which an axis is along the link
 
 double read_positive(const config::ConfigNode& node) {
   const double value = node.number();
@@ -13,47 +16,34 @@ double read_positive(const config::ConfigNode& node) {
   return value;
 }
 
-/// Returns the name given in the file, with the file's prefix.
-std::string prefixed(const FileScope& scope, const config::ConfigNode& name) {
-  return scope.prefix + name.text();
-}
-
-/// Adds an actuated joint and returns its index.
-int add_joint(Assembly& assembly, const std::string& name, const config::ConfigNode& row) {
-  assembly.lower.push_back(row["lower"].number());
-  assembly.upper.push_back(row["upper"].number());
-  if (assembly.lower.back() >= assembly.upper.back()) row["upper"].fail("must be above lower");
-  assembly.velocity.push_back(read_positive(row["velocity"]));
-  assembly.acceleration.push_back(read_positive(row["acceleration"]));
-  assembly.jerk.push_back(read_positive(row["jerk"]));
-  assembly.table.joint_names.push_back(name);
-  return static_cast<int>(assembly.table.joint_names.size()) - 1;
+JointLimits read_limits(const config::ConfigNode& row) {
+  const double lower = row["lower"].number(), upper = row["upper"].number();
+  if (lower >= upper) row["upper"].fail("must be above lower");
+  return {lower, upper, read_positive(row["velocity"]), read_positive(row["acceleration"]),
+          read_positive(row["jerk"])};
 }
 
 void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
                    const std::string& joint, const RobotModel& table, RobotModel::Frame& frame) {
   const config::ConfigNode driver = couple["joint"];
-  auto found = std::ranges::find(table.joint_names, prefixed(scope, driver));
-  if (found == table.joint_names.end()) found = std::ranges::find(table.joint_names, driver.text());
-  if (found == table.joint_names.end()) {
+  frame.joint = find_joint(table, scope, driver.text());
+  if (frame.joint < 0) {
     if (driver.text() == joint) driver.fail("is the joint itself; name another joint");
     driver.fail(fmt::format("there is no actuated joint '{}' before this one", driver.text()));
   }
-  frame.joint = static_cast<int>(found - table.joint_names.begin());
   if (couple.has("ratio")) frame.ratio = couple["ratio"].number();
   if (frame.ratio == 0) couple["ratio"].fail("must not be 0");
   if (couple.has("offset")) frame.offset += couple["offset"].number();
 }
 
-/// Reads the limits of a coupled joint itself, if its row has any.
 void read_coupled_limit(const config::ConfigNode& row, int frame, RobotModel& table) {
   RobotModel::CoupledLimit limit;
   limit.frame = frame;
-  bool any = false;
-  const auto read = [&](const char* key, double& value, bool above_zero) {
+  bool is_limited = false;
+  const auto read = [&](const char* key, double& value, bool positive) {
     if (!row.has(key)) return;
-    value = above_zero ? read_positive(row[key]) : row[key].number();
-    any = true;
+    value = positive ? read_positive(row[key]) : row[key].number();
+    is_limited = true;
   };
   read("lower", limit.lower, false);
   read("upper", limit.upper, false);
@@ -61,16 +51,35 @@ void read_coupled_limit(const config::ConfigNode& row, int frame, RobotModel& ta
   read("acceleration", limit.acceleration, true);
   read("jerk", limit.jerk, true);
   if (limit.lower >= limit.upper) row["upper"].fail("must be above lower");
-  if (any) table.coupled_limits.push_back(limit);
+  if (is_limited) table.coupled_limits.push_back(limit);
 }
 
-bool read_slides(const config::ConfigNode& row) {
+bool read_prismatic(const config::ConfigNode& row) {
   if (!row.has("type")) return false;
   const std::string word = row["type"].text();
-  if (word != "revolute" && word != "prismatic") {
+  if (word != "revolute" && word != "prismatic")
     row["type"].fail(fmt::format("must be revolute or prismatic, not '{}'", word));
-  }
   return word == "prismatic";
+}
+
+/// Returns the frames of revolute joints whose axis is not along the line to the chain's next frame
+/// at another place, all joints at zero.
+std::vector<int> hinges_of(const RobotModel& table, const std::vector<int>& frames) {
+  std::vector<Pose> base_from_frame;
+  forward_kinematics(table, JointVector::Zero(table.joints()), base_from_frame);
+  std::vector<int> hinges;
+  for (auto frame = frames.begin(); frame != frames.end(); ++frame) {
+    const RobotModel::Frame& f = table.frames[*frame];
+    const Pose& pose = base_from_frame[*frame];
+    const Vec3 position = pose.translation(), axis = pose.linear() * f.axis;
+    const auto next = std::find_if(frame + 1, frames.end(), [&](int other) {
+      return (base_from_frame[other].translation() - position).norm() > kCoincidentTolerance_m;
+    });
+    if (f.joint < 0 || f.prismatic || next == frames.end()) continue;
+    const Vec3 direction = (base_from_frame[*next].translation() - position).normalized();
+    if (axis.cross(direction).norm() > kParallelSine) hinges.push_back(*frame);
+  }
+  return hinges;
 }
 
 }  // namespace
@@ -85,12 +94,11 @@ DhConvention read_convention(const config::ConfigNode& node) {
 void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convention,
                 const config::ConfigNode& node) {
   const config::ConfigNode name = node["name"];
-  if (has_frame_or_chain(assembly, prefixed(scope, name))) {
-    name.fail(fmt::format("a frame or chain '{}' already exists", prefixed(scope, name)));
-  }
+  const std::string full_name = scope.prefix + name.text();
+  if (has_frame_or_chain(assembly, full_name))
+    name.fail(fmt::format("a frame or chain '{}' already exists", full_name));
   if (node.has("convention")) convention = read_convention(node["convention"]);
-  Chain chain{
-      prefixed(scope, name), name.text() == "arm", {}, {}, read_mount_point(assembly, scope, node)};
+  Chain chain{full_name, name.text() == "arm", {}, {}, read_mount_point(assembly, scope, node)};
   for (const config::ConfigNode& row : node["joints"].items()) {
     const DhRow dh{row["theta"].number(), row["d"].number(), row["a"].number(),
                    row["alpha"].number()};
@@ -98,24 +106,49 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
     RobotModel::Frame frame;
     frame.parent = chain.end.frame;
     frame.transform = chain.end.frame_from_mount * link.before;
-    frame.prismatic = read_slides(row);
+    frame.prismatic = read_prismatic(row);
     if (frame.prismatic) {
       frame.transform.rotate(Eigen::AngleAxisd(dh.theta, Vec3::UnitZ()));
     } else {
       frame.offset = dh.theta;
     }
-    const bool coupled = row.has("couple");
-    if (coupled) {
-      read_coupling(row["couple"], scope, row["name"].text(), assembly.table, frame);
+    const std::string joint = row["name"].text();
+    if (row.has("couple")) {
+      read_coupling(row["couple"], scope, joint, assembly.table, frame);
     } else {
-      frame.joint = add_joint(assembly, prefixed(scope, row["name"]), row);
+      frame.joint = append_joint(assembly, scope.prefix + joint, read_limits(row));
     }
     chain.end = {add_frame(assembly, scope, row["name"], frame), link.after};
-    if (coupled) read_coupled_limit(row, chain.end.frame, assembly.table);
+    if (row.has("couple")) read_coupled_limit(row, chain.end.frame, assembly.table);
     chain.frames.push_back(chain.end.frame);
     if (dh.d == 0 && !frame.prismatic) chain.hinges.push_back(chain.end.frame);
   }
   if (chain.frames.empty()) node["joints"].fail("must not be empty");
+  assembly.chains.push_back(std::move(chain));
+}
+
+void read_urdf_chain(Assembly& assembly, const FileScope& scope, const config::ConfigNode& node) {
+  const config::ConfigNode name = node["name"];
+  Chain chain{scope.prefix + name.text(), name.text() == "arm", {}, {}, {}};
+  if (has_frame_or_chain(assembly, chain.name))
+    name.fail(fmt::format("a frame or chain '{}' already exists", chain.name));
+  const auto end = [&](const char* key) {
+    const std::string joint = scope.prefix + node[key].text();
+    int frame = frame_index(assembly.table, joint);  // joints take precedence over links
+    if (frame < 0) frame = find_frame(assembly, scope, node[key].text());
+    if (frame < 0) node[key].fail(fmt::format("there is no joint or link '{}'", node[key].text()));
+    return frame;
+  };
+  const int first = end("first"), last = end("last");
+  if (!is_in_subtree(assembly.table, last, first))
+    node["last"].fail("must be a descendant of first");
+  for (const int frame : ancestors(assembly.table, last)) {
+    chain.frames.push_back(frame);
+    if (frame == first) break;
+  }
+  std::ranges::reverse(chain.frames);
+  chain.hinges = hinges_of(assembly.table, chain.frames);
+  chain.end = {last};
   assembly.chains.push_back(std::move(chain));
 }
 

@@ -3,7 +3,6 @@
 namespace morphe::robot {
 namespace {
 
-/// Reads the numbers that are present; those in `required` must be.
 void read_numbers(const config::ConfigNode& node,
                   std::initializer_list<std::pair<const char*, double*>> required,
                   std::initializer_list<std::pair<const char*, double*>> optional) {
@@ -13,8 +12,10 @@ void read_numbers(const config::ConfigNode& node,
   }
 }
 
-void expect_free(const Assembly& assembly, const config::ConfigNode& node,
-                 std::initializer_list<const char*> names) {
+int read_count(const config::ConfigNode& node) { return static_cast<int>(node.integer()); }
+
+void require_unused(const Assembly& assembly, const config::ConfigNode& node,
+                    std::initializer_list<const char*> names) {
   for (const char* name : names) {
     if (has_frame_or_chain(assembly, name)) node.fail("already exists");
   }
@@ -24,11 +25,10 @@ void expect_free(const Assembly& assembly, const config::ConfigNode& node,
 
 void read_generated(Assembly& assembly, const MountPoint& base, const config::ConfigNode& node) {
   if (node.has("arm") == node.has("hand")) node.fail("must have either arm or hand");
-  std::string wrong;
   if (node.has("arm")) {
     const config::ConfigNode arm = node["arm"];
     ArmSpec shape;
-    shape.joints = static_cast<int>(arm["joints"].integer());
+    shape.joints = read_count(arm["joints"]);
     read_numbers(arm, {{"length", &shape.length}},
                  {{"limit", &shape.limit},
                   {"velocity", &shape.velocity},
@@ -36,19 +36,19 @@ void read_generated(Assembly& assembly, const MountPoint& base, const config::Co
                   {"jerk", &shape.jerk},
                   {"radius", &shape.radius}});
     if (const std::string message = validation_error(shape); !message.empty()) arm.fail(message);
-    expect_free(assembly, arm, {"arm", "arm_1", "wrist"});
+    require_unused(assembly, arm, {"arm", "arm_1", "wrist"});
     add_generated_arm(assembly, base, shape);
   } else {
     const config::ConfigNode hand = node["hand"];
     HandSpec shape;
-    shape.fingers = static_cast<int>(hand["fingers"].integer());
+    shape.fingers = read_count(hand["fingers"]);
     read_numbers(hand, {{"length", &shape.length}, {"breadth", &shape.breadth}},
                  {{"velocity", &shape.velocity},
                   {"acceleration", &shape.acceleration},
                   {"jerk", &shape.jerk},
                   {"radius", &shape.radius}});
     if (const std::string message = validation_error(shape); !message.empty()) hand.fail(message);
-    expect_free(assembly, hand, {"palm", "thumb", "finger1", "index"});
+    require_unused(assembly, hand, {"palm", "thumb", "finger1", "index"});
     add_generated_hand(assembly, base, shape);
   }
 }

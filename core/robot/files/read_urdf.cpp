@@ -13,39 +13,39 @@
 namespace morphe::robot {
 namespace {
 
-/// Suppresses urdfdom's console messages during its lifetime.
+/// Keeps urdfdom from writing to the console while it exists, and records its first error.
 class QuietConsole : console_bridge::OutputHandler {
  public:
   QuietConsole() { console_bridge::useOutputHandler(this); }
   ~QuietConsole() override { console_bridge::restorePreviousOutputHandler(); }
-  std::string first = "is not a URDF";
+  std::string first_error = "is not a URDF";
 
  private:
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR && !said_) first = text;
-    said_ = said_ || level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR;
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    if (!failed_) first_error = text;
+    failed_ = true;
   }
-  bool said_ = false;
+  bool failed_ = false;
 };
 
-/// Adds limits and efforts that urdfdom requires although they may come from the description or are
-/// not needed, and removes the visual elements that are not used.
+/// Adds limits and efforts, which urdfdom requires, removes elements that are not used, and makes
+/// planar and floating joints fixed.
 void simplify(tinyxml2::XMLDocument& document) {
   tinyxml2::XMLElement* robot = document.RootElement();
-  for (const char* tag : {"material", "transmission", "gazebo", "sensor"}) {
-    while (tinyxml2::XMLElement* extra = robot->FirstChildElement(tag)) robot->DeleteChild(extra);
-  }
+  const auto remove = [](tinyxml2::XMLElement* parent, std::initializer_list<const char*> tags) {
+    for (const char* tag : tags) {
+      while (auto* child = parent->FirstChildElement(tag)) parent->DeleteChild(child);
+    }
+  };
+  remove(robot, {"material", "transmission", "gazebo", "sensor"});
   for (auto* link = robot->FirstChildElement("link"); link;
        link = link->NextSiblingElement("link")) {
-    for (const char* tag : {"visual", "inertial"}) {
-      while (tinyxml2::XMLElement* extra = link->FirstChildElement(tag)) link->DeleteChild(extra);
-    }
+    remove(link, {"visual", "inertial"});
   }
   for (auto* joint = robot->FirstChildElement("joint"); joint;
        joint = joint->NextSiblingElement("joint")) {
-    for (const char* tag : {"safety_controller", "calibration", "dynamics"}) {
-      while (tinyxml2::XMLElement* extra = joint->FirstChildElement(tag)) joint->DeleteChild(extra);
-    }
+    remove(joint, {"safety_controller", "calibration", "dynamics"});
     const std::string type = joint->Attribute("type");
     if (type == "planar" || type == "floating") joint->SetAttribute("type", "fixed");
     if (type != "revolute" && type != "prismatic" && type != "continuous") continue;
@@ -65,7 +65,7 @@ urdf::ModelInterfaceSharedPtr parse_with_urdfdom(const files::XmlText& text) {
   simple.Print(&printer);
   QuietConsole console;
   urdf::ModelInterfaceSharedPtr model = urdf::parseURDF(printer.CStr());
-  if (!model) text.fail(text.root(), "robot", console.first);
+  if (!model) text.fail(text.root(), "robot", console.first_error);
   return model;
 }
 
@@ -81,15 +81,12 @@ struct Reader {
   const urdf::Joint& urdf_joint(const UrdfJoint& joint) const {
     return *model.joints_.at(joint.name);
   }
-  [[noreturn]] void fail(const UrdfJoint& joint, const char* part, const std::string& what) const {
-    text.fail(*joint.element, fmt::format("joint {}{}", joint.name, part), what);
+  [[noreturn]] void fail(const UrdfJoint& joint, const char* part,
+                         const std::string& message) const {
+    text.fail(*joint.element, fmt::format("joint {}{}", joint.name, part), message);
   }
   bool is_actuated(const UrdfJoint& joint) const {
     return joint.kind != JointKind::fixed && !urdf_joint(joint).mimic;
-  }
-  const UrdfJoint* find(const std::string& name) const {
-    const auto found = std::ranges::find(tree.joints, name, &UrdfJoint::name);
-    return found == tree.joints.end() ? nullptr : &*found;
   }
 
   /// Returns the limit that the description gives for this joint, else the one in the URDF, else
@@ -107,10 +104,9 @@ struct Reader {
     for (const char* key : {"velocity", "acceleration", "jerk"}) {
       if (node.has(key) && !(node[key].number() > 0)) node[key].fail("must be above 0");
     }
-    if (!node.has("limits")) return;
-    for (const config::ConfigNode& entry : node["limits"].items()) {
+    for (const config::ConfigNode& entry : optional_items(node, "limits")) {
       assembly.problems.attempt([&] {
-        const UrdfJoint* joint = find(entry["joint"].text());
+        const UrdfJoint* joint = find_joint(tree, entry["joint"].text());
         if (!joint || joint->kind == JointKind::fixed) {
           entry["joint"].fail(
               fmt::format("there is no joint '{}' that moves", entry["joint"].text()));
@@ -120,7 +116,8 @@ struct Reader {
     }
   }
 
-  double positive(const UrdfJoint& joint, const char* key, std::optional<double> written) const {
+  double positive_limit(const UrdfJoint& joint, const char* key,
+                        std::optional<double> written) const {
     const std::optional<double> value = limit_value(joint, key, written);
     if (value && *value > 0 && std::isfinite(*value)) return *value;
     if (value && *value < 0) fail(joint, fmt::format(".{}", key).c_str(), "must be above 0");
@@ -140,30 +137,24 @@ struct Reader {
            "is missing; add it to the URDF or give `lower` and `upper` in urdf.limits");
     }
     if (*lower > *upper) own.at(joint.name)["upper"].fail("must be above lower");
-    const double velocity = positive(joint, "velocity", joint.velocity);
-    const double acceleration = positive(joint, "acceleration", std::nullopt);
-    const double jerk = positive(joint, "jerk", std::nullopt);
+    const double velocity = positive_limit(joint, "velocity", joint.velocity);
+    const double acceleration = positive_limit(joint, "acceleration", std::nullopt);
+    const double jerk = positive_limit(joint, "jerk", std::nullopt);
     const std::string name = scope.prefix + joint.name;
-    if (std::ranges::count(assembly.table.joint_names, name) > 0) {
+    if (std::ranges::count(assembly.table.joint_names, name) > 0)
       fail(joint, "", fmt::format("a joint '{}' already exists; give this part a `prefix`", name));
-    }
     if (*lower == *upper) assembly.fixed_joints.push_back({name, *lower});
-    read_braking(joint);
-    assembly.lower.push_back(*lower);
-    assembly.upper.push_back(*upper);
-    assembly.velocity.push_back(velocity);
-    assembly.acceleration.push_back(acceleration);
-    assembly.jerk.push_back(jerk);
-    assembly.table.joint_names.push_back(name);
+    const int index = append_joint(assembly, name, {*lower, *upper, velocity, acceleration, jerk});
+    read_braking(joint, index);
   }
 
-  /// Reads `braking: {slope, drop, lower_end, upper_end}` of the next joint to be added.
-  void read_braking(const UrdfJoint& joint) {
+  /// Reads `braking: {twice_deceleration, velocity_offset, lower_end, upper_end}` of a joint.
+  void read_braking(const UrdfJoint& joint, int index) {
     const auto entry = own.find(joint.name);
     if (entry == own.end() || !entry->second.has("braking")) return;
     const config::ConfigNode braking = entry->second["braking"];
     RobotModel::BrakingCurve curve;
-    curve.joint = static_cast<int>(assembly.table.joints());
+    curve.joint = index;
     curve.twice_deceleration = braking["twice_deceleration"].number();
     curve.velocity_offset = braking["velocity_offset"].number();
     curve.lower_end = braking["lower_end"].number();
@@ -173,29 +164,27 @@ struct Reader {
     assembly.table.braking_curves.push_back(curve);
   }
 
-  /// Resolves value = ratio * (driven joint) + offset through any number of joints that mimic each
-  /// other.
+  /// Computes the driven joint, ratio and offset of a frame through joints that mimic one another.
   void resolve_mimic(const UrdfJoint& joint, RobotModel::Frame& frame) const {
-    const UrdfJoint* at = &joint;
-    for (std::size_t steps = 0; !is_actuated(*at); ++steps) {
-      const urdf::Joint& urdf = urdf_joint(*at);
-      if (steps > tree.joints.size()) fail(joint, ".mimic", "is coupled to itself (mimic loop)");
-      const UrdfJoint* next = urdf.mimic ? find(urdf.mimic->joint_name) : nullptr;
+    const UrdfJoint* driver = &joint;
+    for (int steps = 0; !is_actuated(*driver); ++steps) {
+      const urdf::Joint& urdf = urdf_joint(*driver);
+      if (steps > std::ssize(tree.joints))
+        fail(joint, ".mimic", "is coupled to itself (mimic loop)");
+      const UrdfJoint* next = urdf.mimic ? find_joint(tree, urdf.mimic->joint_name) : nullptr;
       if (!next || next->kind == JointKind::fixed) {
         fail(joint, ".mimic",
              fmt::format("there is no joint '{}' to mimic", urdf.mimic->joint_name));
       }
       frame.offset += frame.ratio * urdf.mimic->offset;
       frame.ratio *= urdf.mimic->multiplier;
-      at = next;
+      driver = next;
     }
     if (frame.ratio == 0) fail(joint, ".mimic.multiplier", "must not be 0");
-    frame.joint =
-        static_cast<int>(std::ranges::find(assembly.table.joint_names, scope.prefix + at->name) -
-                         assembly.table.joint_names.begin());
+    frame.joint = find_joint(assembly.table, scope, driver->name);
   }
 
-  /// Reads the limits of a mimic joint; `enforce: false` omits those of its position.
+  /// Reads the limits of a mimic joint; `enforce_position_limits: false` omits those of position.
   void limit_coupled(const UrdfJoint& joint, int frame) {
     RobotModel::CoupledLimit limit;
     limit.frame = frame;
@@ -206,23 +195,24 @@ struct Reader {
       limit.lower = limit_value(joint, "lower", joint.lower).value_or(limit.lower);
       limit.upper = limit_value(joint, "upper", joint.upper).value_or(limit.upper);
     }
-    const auto most = [&](const char* key, std::optional<double> written, double& value) {
-      if (const auto given = limit_value(joint, key, written); given && *given > 0) value = *given;
+    const auto read = [&](const char* key, std::optional<double> written, double& value) {
+      const std::optional<double> entry_value = limit_value(joint, key, written);
+      if (entry_value && *entry_value > 0) value = *entry_value;
     };
-    most("velocity", joint.velocity, limit.velocity);
-    most("acceleration", std::nullopt, limit.acceleration);
-    most("jerk", std::nullopt, limit.jerk);
+    read("velocity", joint.velocity, limit.velocity);
+    read("acceleration", std::nullopt, limit.acceleration);
+    read("jerk", std::nullopt, limit.jerk);
     assembly.table.coupled_limits.push_back(limit);
   }
 
-  /// Returns a frame name that is not in use: the joint's name, or the link's if it is fixed.
-  /// Joints and links have separate name spaces in a URDF, frames do not.
+  /// Returns a name for the joint's frame: the joint's, or its child link's if it is fixed. If the
+  /// same URDF has used it, the other one or a new name, because only frames share one name space.
   std::string free_name(const UrdfJoint& joint) const {
     const bool fixed = joint.kind == JointKind::fixed;
     const std::string name = scope.prefix + (fixed ? joint.child : joint.name);
     if (!has_frame_or_chain(assembly, name)) return name;
     const std::string other = scope.prefix + (fixed ? joint.name : joint.child);
-    if (!scope.links.contains(name) && !find(name)) {
+    if (!scope.links.contains(name) && !find_joint(tree, name)) {
       fail(joint, "",
            fmt::format("a frame or chain '{}' already exists; give this part a `prefix`", name));
     }
@@ -241,25 +231,21 @@ struct Reader {
       frame.prismatic = joint.kind == JointKind::prismatic;
       resolve_mimic(joint, frame);
     }
-    assembly.table.frames.push_back(std::move(frame));
-    const int index = static_cast<int>(assembly.table.frames.size()) - 1;
+    const int index = append_frame(assembly.table, std::move(frame));
     if (urdf.mimic && joint.kind != JointKind::fixed) limit_coupled(joint, index);
     return index;
   }
 
   int add_root_frame() {
-    RobotModel::Frame frame;
-    frame.name = scope.prefix + tree.root;
-    frame.parent = scope.base.frame;
-    frame.transform = scope.base.frame_from_mount;
-    const bool taken = has_frame_or_chain(assembly, frame.name) || find(tree.root);
+    RobotModel::Frame frame{scope.prefix + tree.root, scope.base.frame,
+                            scope.base.frame_from_mount};
+    const bool taken = has_frame_or_chain(assembly, frame.name) || find_joint(tree, tree.root);
     if (taken) frame.name += "_link";
     if (has_frame_or_chain(assembly, frame.name)) {
       text.fail(text.root(), "robot",
                 fmt::format("a frame '{}' already exists; give this part a `prefix`", frame.name));
     }
-    assembly.table.frames.push_back(std::move(frame));
-    return static_cast<int>(assembly.table.frames.size()) - 1;
+    return append_frame(assembly.table, std::move(frame));
   }
 
   void add_link(const std::string& link, int frame) {
@@ -300,9 +286,8 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   problems.throw_if_any();
   assembly.urdfs.push_back({file, scope.prefix, {}});
   reader.add_link(reader.tree.root, reader.add_root_frame());
-  for (const UrdfJoint& joint : reader.tree.joints) {
+  for (const UrdfJoint& joint : reader.tree.joints)
     reader.add_link(joint.child, reader.add_joint_frame(joint));
-  }
   const bool use_shapes = read_shapes_key(node);
   const auto shapes_of = [&](const std::string& link) {
     add_link_shapes(assembly, text, *model->links_.at(link), scope.links.at(scope.prefix + link),

@@ -41,13 +41,21 @@ SchemaKey mount_key() {
           "pose in its parent: position and one of rpy, quaternion and matrix"};
 }
 
-/// Returns the keys of limits. They are alternatives to other keys, so they are not required.
-std::vector<SchemaKey> limit_keys() {
-  return {{"lower", number_schema(), "[rad], [m] if prismatic"},
-          {"upper", number_schema(), "[rad], [m] if prismatic"},
-          {"velocity", positive_schema(), "[rad/s]"},
+/// Returns the keys of rate limits, which are not required because other keys can replace them.
+std::vector<SchemaKey> rate_keys() {
+  return {{"velocity", positive_schema(), "[rad/s]"},
           {"acceleration", positive_schema(), "[rad/s^2]"},
           {"jerk", positive_schema(), "[rad/s^3]"}};
+}
+
+void append(const std::vector<SchemaKey>& added, std::vector<SchemaKey>& keys) {
+  keys.insert(keys.end(), added.begin(), added.end());
+}
+
+void append_limits(std::vector<SchemaKey>& keys) {
+  keys.push_back({"lower", number_schema(), "[rad], [m] if prismatic"});
+  keys.push_back({"upper", number_schema(), "[rad], [m] if prismatic"});
+  append(rate_keys(), keys);
 }
 
 Schema joint_schema() {
@@ -63,7 +71,7 @@ Schema joint_schema() {
                       {"ratio", number_schema(), "angle per angle of the other joint"},
                       {"offset", number_schema(), "angle when the other joint is at 0 [rad]"}}),
        "coupling to another joint, in place of own limits"}};
-  for (const SchemaKey& key : limit_keys()) keys.push_back(key);
+  append_limits(keys);
   return object_schema(keys);
 }
 
@@ -77,13 +85,6 @@ Schema chain_schema() {
                         {"last", scalar_schema(), "last joint or link of a chain of the URDF"}});
 }
 
-std::vector<SchemaKey> made_up_limits() {
-  return {{"velocity", positive_schema(), "[rad/s]"},
-          {"acceleration", positive_schema(), "[rad/s^2]"},
-          {"jerk", positive_schema(), "[rad/s^3]"},
-          {"radius", number_schema(), "radius of a capsule along each link [m]; 0: none"}};
-}
-
 Schema generate_schema() {
   std::vector<SchemaKey> arm = {
       {"joints", integer_schema(), "6 to 60", true},
@@ -93,17 +94,18 @@ Schema generate_schema() {
       {"fingers", integer_schema(), "3 to 12, the thumb included", true},
       {"length", positive_schema(), "from the wrist to the middle fingertip [m]", true},
       {"breadth", positive_schema(), "across the knuckles [m]", true}};
-  for (const SchemaKey& key : made_up_limits()) {
-    arm.push_back(key);
-    hand.push_back(key);
+  for (std::vector<SchemaKey>* keys : {&arm, &hand}) {
+    append(rate_keys(), *keys);
+    keys->push_back(
+        {"radius", number_schema(), "radius of a capsule along each link [m]; 0: none"});
   }
   return object_schema({{"arm", object_schema(arm), "an arm of n joints, as in the paper"},
                         {"hand", object_schema(hand), "a hand of m fingers"}});
 }
 
 Schema urdf_schema() {
-  std::vector<SchemaKey> limits = limit_keys();
-  limits.insert(limits.begin(), {"joint", scalar_schema(), "joint of the URDF", true});
+  std::vector<SchemaKey> limits = {{"joint", scalar_schema(), "joint of the URDF", true}};
+  append_limits(limits);
   limits.push_back({"braking",
                     object_schema({{"twice_deceleration", number_schema(), "[rad/s^2]", true},
                                    {"velocity_offset", number_schema(), "[rad/s]", true},

@@ -4,8 +4,8 @@
 
 namespace morphe::robot {
 
-/// Returns the schema of robot descriptions. Unknown keys are reported before any other error of
-/// the file. The reader alone checks the combinations of keys and the existence of names.
+/// Returns the schema of robot descriptions. load_robot() reports keys that it lacks before any
+/// other error of the file. Combinations of keys and the existence of names are not part of it.
 config::Schema robot_schema();
 
 }  // namespace morphe::robot

@@ -20,10 +20,9 @@ struct Source {
 
   fs::path relative_to_folder(const std::string& file) const {
     std::error_code ignored;
-    const fs::path here = fs::weakly_canonical(fs::absolute(folder), ignored);
-    const fs::path there =
-        fs::weakly_canonical(fs::absolute(urdf.file).parent_path() / file, ignored);
-    return there.lexically_proximate(here);
+    const fs::path base = fs::weakly_canonical(fs::absolute(folder), ignored);
+    return fs::weakly_canonical(fs::absolute(urdf.file).parent_path() / file, ignored)
+        .lexically_proximate(base);
   }
 
   void rename_files(tinyxml2::XMLElement& element) const {
@@ -31,23 +30,20 @@ struct Source {
     if (name && *name && !std::strstr(name, "://") && !fs::path(name).is_absolute()) {
       element.SetAttribute("filename", relative_to_folder(name).generic_string().c_str());
     }
-    for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
+    for (auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
       rename_files(*child);
-    }
   }
 
-  /// Replaces a reference to a material, which is often defined once at the top of the file, by its
-  /// definition.
+  /// Copies the definition of a material, which may be elsewhere in the file, to where it is used.
   void complete_material(tinyxml2::XMLElement& visual) const {
     tinyxml2::XMLElement* material = visual.FirstChildElement("material");
     const char* name = material ? material->Attribute("name") : nullptr;
     if (!name) return;
     if (material->NoChildren()) {
-      for (const files::XmlElement* given : files::children(text.root(), "material")) {
-        if (!given->Attribute("name", name)) continue;
-        for (const auto* part = given->FirstChild(); part; part = part->NextSibling()) {
+      for (const files::XmlElement* definition : files::children(text.root(), "material")) {
+        if (!definition->Attribute("name", name)) continue;
+        for (const auto* part = definition->FirstChild(); part; part = part->NextSibling())
           material->InsertEndChild(part->DeepClone(visual.GetDocument()));
-        }
         break;
       }
     }
@@ -93,13 +89,12 @@ struct Source {
   }
 };
 
-/// Returns "inertias: not given for any part", "inertias: not given for a, b", or "" if all are
-/// known.
-std::string missing_sentence(const char* what, const std::vector<std::string>& of, std::size_t all,
-                             const char* then) {
-  if (of.empty()) return "";
-  return of.size() == all ? fmt::format("{}: not given for any part{}", what, then)
-                          : fmt::format("{}: not given for {}{}", what, fmt::join(of, ", "), then);
+/// Returns the sentence that lists the parts for which data are missing, "" if there are none.
+std::string missing_sentence(const char* kind, const std::vector<std::string>& parts, int count,
+                             const char* ending) {
+  if (parts.empty()) return "";
+  if (std::ssize(parts) == count) return fmt::format("{}: not given for any part{}", kind, ending);
+  return fmt::format("{}: not given for {}{}", kind, fmt::join(parts, ", "), ending);
 }
 
 }  // namespace
@@ -109,9 +104,8 @@ std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot, const fs::path
   for (const UrdfSource& urdf : robot.urdfs) {
     const files::XmlText text(urdf.file, "robot");
     const Source source{text, urdf, folder};
-    for (const files::XmlElement* link : files::children(text.root(), "link")) {
+    for (const files::XmlElement* link : files::children(text.root(), "link"))
       source.read_link(*link, source.of_link(text.attribute(*link, "name"), extras));
-    }
     for (const files::XmlElement* joint : files::children(text.root(), "joint")) {
       const files::XmlElement* child = joint->FirstChildElement("child");
       if (!child) continue;
@@ -124,25 +118,25 @@ std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot, const fs::path
 std::vector<std::string> missing_details(const RobotModel& robot,
                                          const std::vector<UrdfExtra>& extras) {
   std::vector<std::string> no_effort, no_mass, no_looks;
-  std::size_t joints = 0, links = 0;
-  for (std::size_t f = 0; f < extras.size(); ++f) {
-    const UrdfExtra& known = extras[f];
-    if (robot.frames[f].joint >= 0) {
+  int joints = 0, links = 0;
+  for (int f = 0; f < std::ssize(extras); ++f) {
+    const UrdfExtra& extra = extras[f];
+    const RobotModel::Frame& frame = robot.frames[f];
+    if (frame.joint >= 0) {
       ++joints;
-      if (!known.effort) no_effort.push_back(robot.frames[f].name);
+      if (!extra.effort) no_effort.push_back(frame.name);
     }
-    if (known.link.empty() && robot.frames[f].joint < 0) continue;  // a marker frame without a body
+    if (extra.link.empty() && frame.joint < 0) continue;  // a marker frame without a body
     ++links;
-    const std::string& name = known.link.empty() ? robot.frames[f].name : known.link;
-    if (!known.has_inertial) no_mass.push_back(name);
-    if (!known.has_visual) no_looks.push_back(name);
+    const std::string& name = extra.link.empty() ? frame.name : extra.link;
+    if (!extra.has_inertial) no_mass.push_back(name);
+    if (!extra.has_visual) no_looks.push_back(name);
   }
-  std::vector<std::string> sentences;
-  for (std::string sentence : {missing_sentence("efforts", no_effort, joints, "; written as 0"),
-                               missing_sentence("inertias", no_mass, links, ""),
-                               missing_sentence("visuals", no_looks, links, "")}) {
-    if (!sentence.empty()) sentences.push_back(std::move(sentence));
-  }
+  std::vector<std::string> sentences = {
+      missing_sentence("efforts", no_effort, joints, "; written as 0"),
+      missing_sentence("inertias", no_mass, links, ""),
+      missing_sentence("visuals", no_looks, links, "")};
+  std::erase(sentences, "");
   return sentences;
 }
 

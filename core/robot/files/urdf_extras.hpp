@@ -11,19 +11,17 @@ namespace morphe::robot {
 
 /// The data of a URDF's link and joint that RobotModel does not hold.
 struct UrdfExtra {
-  std::string link, joint;    ///< original names, "" if equal to the frame's
+  std::string link, joint;    ///< prefixed names in the URDF, "" if not in a URDF
   std::string link_elements;  ///< visual, collision and inertial elements, one per line
-  /// True if the link has elements of this kind.
   bool has_visual = false, has_collision = false, has_inertial = false;
   std::optional<double> effort;  ///< above 0
   std::string dynamics;          ///< the dynamics element, "" if absent
   bool continuous = false;
 };
 
-/// Returns the extra data of all frames [frames], with empty entries if the robot has no URDF.
-/// Paths of meshes and textures relative to a URDF are made relative to `folder`; references to
-/// named materials are replaced by their definitions. Throws InputError if a URDF cannot be read
-/// again.
+/// Returns the extra data [frames], with empty entries for frames that are not from a URDF. Paths
+/// of meshes and textures relative to a URDF are made relative to `folder`. References to named
+/// materials are replaced by their definitions. Throws InputError as load_robot() does.
 std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot,
                                    const std::filesystem::path& folder);
 

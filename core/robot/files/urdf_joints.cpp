@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -19,12 +18,10 @@ std::string key_of(const UrdfJoint& joint, const std::string& part) {
   return fmt::format("joint {}{}", joint.name, part);
 }
 
-/// Checks attributes for invalid numbers. urdfdom would report them, but without their location.
+/// Checks the numbers of an element and its descendants. urdfdom would report invalid ones without
+/// their line.
 void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
                    const std::string& owner) {
-  static constexpr std::array<const char*, 3> kVectors = {"xyz", "rpy", "size"};
-  static constexpr std::array<const char*, 8> kScalars = {
-      "radius", "length", "lower", "upper", "velocity", "effort", "multiplier", "offset"};
   const auto check = [&](const char* name, std::size_t count) {
     const char* text = element.Attribute(name);
     if (text && numbers_of(text).size() != count) {
@@ -33,27 +30,26 @@ void check_numbers(const files::XmlText& urdf, const files::XmlElement& element,
                            : fmt::format("must be {} numbers, not '{}'", count, text));
     }
   };
-  for (const char* name : kVectors) check(name, 3);
-  for (const char* name : kScalars) check(name, 1);
-  for (const files::XmlElement* child = element.FirstChildElement(); child;
-       child = child->NextSiblingElement()) {
-    check_numbers(urdf, *child, owner);
+  for (const char* name : {"xyz", "rpy", "size"}) check(name, 3);
+  for (const char* name :
+       {"radius", "length", "lower", "upper", "velocity", "effort", "multiplier", "offset"}) {
+    check(name, 1);
   }
+  for (const auto* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+    check_numbers(urdf, *child, owner);
 }
 
 /// Returns a number that check_numbers() has accepted.
 std::optional<double> number(const files::XmlElement* element, const char* name) {
   const char* text = element ? element->Attribute(name) : nullptr;
-  if (!text) return std::nullopt;
-  return numbers_of(text).front();
+  return text ? std::optional(numbers_of(text).front()) : std::nullopt;
 }
 
 void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
   if (const files::XmlElement* axis = joint.element->FirstChildElement("axis")) {
     const std::vector<double> xyz = numbers_of(urdf.attribute(*axis, "xyz"));
-    if (std::ranges::all_of(xyz, [](double x) { return x == 0; })) {
+    if (std::ranges::all_of(xyz, [](double x) { return x == 0; }))
       urdf.fail(*axis, key_of(joint, ".axis"), "must not be zero");
-    }
   }
   const files::XmlElement* limit = joint.element->FirstChildElement("limit");
   if (!limit) return;
@@ -62,7 +58,7 @@ void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
   if (joint.kind == JointKind::continuous) return;
   joint.lower = number(limit, "lower").value_or(0);
   joint.upper = number(limit, "upper").value_or(0);
-  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that do not know the limits
+  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that do not know limits
     joint.lower.reset();
     joint.upper.reset();
   } else if (*joint.lower > *joint.upper) {
@@ -92,9 +88,8 @@ std::map<std::string, const files::XmlElement*> elements_by_name(const files::Xm
   for (const files::XmlElement* element : files::children(urdf.root(), tag)) {
     problems.attempt([&] {
       const std::string name = urdf.attribute(*element, "name");
-      if (!found.emplace(name, element).second) {
+      if (!found.emplace(name, element).second)
         urdf.fail(*element, fmt::format("{} {}", tag, name), "appears twice");
-      }
       check_numbers(urdf, *element, fmt::format("{} {}", tag, name));
     });
   }
@@ -111,9 +106,8 @@ UrdfJoint read_joint(const files::XmlText& urdf, const files::XmlElement& elemen
     const files::XmlElement* node = element.FirstChildElement(end);
     if (!node) urdf.fail(element, key_of(joint, "") + "." + end, "is missing");
     std::string name = urdf.attribute(*node, "link");
-    if (!links.contains(name)) {
+    if (!links.contains(name))
       urdf.fail(*node, key_of(joint, "") + "." + end, fmt::format("there is no link '{}'", name));
-    }
     return name;
   };
   joint.parent = link("parent");
@@ -127,31 +121,30 @@ UrdfJoint read_joint(const files::XmlText& urdf, const files::XmlElement& elemen
   return joint;
 }
 
-/// Sorts the joints such that parents come first, otherwise in the file's order. Joints that cannot
-/// be reached from the root are part of a loop.
+/// Sorts parents before their children, otherwise in the file's order. Joints that do not descend
+/// from the root are part of a loop or below one, which is an error.
 std::vector<UrdfJoint> parents_first(const files::XmlText& urdf, std::vector<UrdfJoint> joints,
                                      const std::string& root) {
-  std::multimap<std::string, std::size_t> below;
-  for (std::size_t i = 0; i < joints.size(); ++i) below.emplace(joints[i].parent, i);
-  std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<>> ready;
-  const auto reach = [&](const std::string& link) {
-    for (auto [at, end] = below.equal_range(link); at != end; ++at) ready.push(at->second);
+  std::multimap<std::string, int> below;
+  for (int i = 0; i < std::ssize(joints); ++i) below.emplace(joints[i].parent, i);
+  std::priority_queue<int, std::vector<int>, std::greater<>> ready;
+  const auto add_joints_below = [&](const std::string& link) {
+    for (auto [joint, end] = below.equal_range(link); joint != end; ++joint)
+      ready.push(joint->second);
     below.erase(link);
   };
   std::vector<UrdfJoint> order;
-  for (reach(root); !ready.empty();) {
-    const std::size_t next = ready.top();
+  for (add_joints_below(root); !ready.empty();) {
+    const int next = ready.top();
     ready.pop();
     order.push_back(joints[next]);
-    reach(joints[next].child);
+    add_joints_below(joints[next].child);
   }
-  std::size_t first = joints.size();
-  for (const auto& [parent, joint] : below) first = std::min(first, joint);
-  if (first < joints.size()) {
-    urdf.fail(*joints[first].element, key_of(joints[first], ""),
-              "is part of a closed loop of joints");
-  }
-  return order;
+  if (below.empty()) return order;
+  const auto first =
+      std::ranges::min_element(below, {}, [](const auto& entry) { return entry.second; });
+  const UrdfJoint& joint = joints[first->second];
+  urdf.fail(*joint.element, key_of(joint, ""), "is part of a closed loop of joints");
 }
 
 void refuse_xacro(const files::XmlText& urdf) {
@@ -164,7 +157,7 @@ void refuse_xacro(const files::XmlText& urdf) {
     }
     return false;
   };
-  const auto look = [&](const auto& self, const files::XmlElement& element) -> void {
+  const auto search = [&](const auto& self, const files::XmlElement& element) -> void {
     if (is_xacro(element)) {
       urdf.fail(element, element.Value(),
                 "is a xacro file; convert it first: `xacro FILE.xacro > FILE.urdf`");
@@ -174,7 +167,7 @@ void refuse_xacro(const files::XmlText& urdf) {
       self(self, *child);
     }
   };
-  look(look, urdf.root());
+  search(search, urdf.root());
 }
 
 std::string find_root_link(const files::XmlText& urdf,
@@ -193,6 +186,11 @@ std::string find_root_link(const files::XmlText& urdf,
 }
 
 }  // namespace
+
+const UrdfJoint* find_joint(const UrdfTree& tree, const std::string& name) {
+  const auto found = std::ranges::find(tree.joints, name, &UrdfJoint::name);
+  return found == tree.joints.end() ? nullptr : &*found;
+}
 
 std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> values;

@@ -1,25 +1,24 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/files/xml_text.hpp"
 
 namespace morphe::robot {
 
-/// The kind of motion of a URDF's joint. Planar and floating joints, which cannot be driven, count
-/// as fixed.
+/// The kind of a URDF's joint; planar and floating ones, which cannot be driven, count as fixed.
 enum class JointKind { fixed, revolute, continuous, prismatic };
 
 /// A joint of a URDF and its element in the file.
 struct UrdfJoint {
   std::string name, parent, child;
   JointKind kind = JointKind::fixed;
-  std::optional<double> lower, upper, velocity;  ///< as written; absent if a velocity is 0
-  const files::XmlElement* element = nullptr;
+  /// As written. Absent are a velocity that is not above 0, and lower and upper if both are 0 or
+  /// the joint is continuous.
+  std::optional<double> lower, upper, velocity;
+  const files::XmlElement* element = nullptr;  ///< valid as long as the file's text
 };
 
 /// The joints of a URDF, in topological order.
@@ -29,17 +28,20 @@ struct UrdfTree {
   std::vector<std::string> notes;  ///< "FILE:LINE: …": elements that were ignored or simplified
 };
 
-/// Parses the numbers of an attribute; returns an empty vector if any of them is invalid or not
-/// finite.
+/// Returns the joint with that name, or nullptr if there is no such joint.
+const UrdfJoint* find_joint(const UrdfTree& tree, const std::string& name);
+
+/// Parses the numbers of an attribute; returns an empty list if one of them is invalid or infinite.
 std::vector<double> numbers_of(const std::string& text);
 
-/// Largest number of links of a file that is read; the largest public URDFs have a few hundred.
+/// Maximum number of links of a URDF; the largest public URDFs have a few hundred.
 inline constexpr std::size_t kMaxLinkCount = 4096;
 
-/// Builds the joint tree of a URDF. Throws one InputError with all errors found: a link or joint
-/// that is unnamed or defined twice, a joint whose links do not exist, a link with two parents, a
-/// loop, more than one root, an unknown joint type, a zero axis, a lower limit above the upper one,
-/// invalid numbers, more than kMaxLinkCount links, or a file that is still xacro.
+/// Builds the joint tree of a URDF. Throws InputError, with the errors of the first of these steps
+/// that fails: the file is still xacro; it has more than kMaxLinkCount links; a link or joint is
+/// unnamed or defined twice, or a number is invalid; a joint has an unknown type or link, a child
+/// that is another joint's, a zero axis, or a lower limit above the upper one; there is no joint;
+/// there is more than one root; there is a loop.
 UrdfTree urdf_tree(const files::XmlText& urdf);
 
 }  // namespace morphe::robot

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/motion/enum_names.hpp"
 #include "core/robot/files/assembly.hpp"
 
@@ -12,15 +10,18 @@ namespace {
 
 using files::XmlElement;
 
-Vec3 vector_of(const XmlElement* element, const char* name, const Vec3& otherwise) {
+std::vector<double> attribute_numbers(const XmlElement* element, const char* name) {
   const char* text = element ? element->Attribute(name) : nullptr;
-  const std::vector<double> n = text ? numbers_of(text) : std::vector<double>{};
+  return text ? numbers_of(text) : std::vector<double>{};
+}
+
+Vec3 vector_of(const XmlElement* element, const char* name, const Vec3& otherwise) {
+  const std::vector<double> n = attribute_numbers(element, name);
   return n.size() == 3 ? Vec3(n[0], n[1], n[2]) : otherwise;
 }
 
 double number_of(const XmlElement* element, const char* name) {
-  const char* text = element ? element->Attribute(name) : nullptr;
-  const std::vector<double> n = text ? numbers_of(text) : std::vector<double>{};
+  const std::vector<double> n = attribute_numbers(element, name);
   return n.size() == 1 ? n.front() : 0;
 }
 
@@ -44,7 +45,7 @@ bool read_shape(const XmlElement& element, UrdfShape& shape) {
   const std::optional<Shape> kind = morphe::enum_from_name<Shape>(found->Value());
   if (!kind) return false;
   shape.kind = *kind;
-  switch (shape.kind) {
+  switch (*kind) {
     case Shape::sphere:
       shape.size = {number_of(found, "radius"), 0, 0};
       break;
@@ -85,28 +86,22 @@ void read_link(const XmlElement& link, UrdfModel& model) {
   model.inertias.emplace(name, inertia);
 }
 
-/// Returns a description with only the key `urdf` and the limits that the URDF lacks.
+/// Returns the text of a description with only the key `urdf` and the limits that the URDF lacks.
 std::string urdf_key_text(const UrdfModel& model, const AssumedLimits& assumed) {
   std::string text = fmt::format(
       "urdf:\n  file: '{}'\n  velocity: {}\n  acceleration: {}\n  jerk: {}\n  limits:\n",
       model.file.filename().string(), assumed.velocity, assumed.acceleration, assumed.jerk);
   for (const UrdfJoint& joint : model.tree.joints) {
     const bool bounded = joint.kind == JointKind::revolute || joint.kind == JointKind::prismatic;
-    if (!bounded || joint.lower) continue;
-    if (joint.element->FirstChildElement("mimic")) continue;
+    if (!bounded || joint.lower || joint.element->FirstChildElement("mimic")) continue;
     text += fmt::format("    - {{joint: '{}', lower: -{}, upper: {}}}\n", joint.name,
                         assumed.position, assumed.position);
   }
-  if (text.ends_with("limits:\n")) text.erase(text.size() - 10);
+  if (text.ends_with("limits:\n")) text.erase(text.size() - 10);  // an empty `  limits:`
   return text;
 }
 
 }  // namespace
-
-const UrdfJoint* UrdfModel::joint(const std::string& called) const {
-  const auto found = std::ranges::find(tree.joints, called, &UrdfJoint::name);
-  return found == tree.joints.end() ? nullptr : &*found;
-}
 
 std::vector<std::string> UrdfModel::link_of_frame() const {
   std::vector<std::string> names(table.frames.size());
@@ -125,22 +120,15 @@ UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits
 
   Assembly assembly;
   FileScope scope;
-  const std::filesystem::path beside = file.parent_path() / "of the URDF";
+  const std::filesystem::path label = file.parent_path() / "of the URDF";
   const config::ConfigNode node =
-      config::ConfigNode::parse(urdf_key_text(model, assumed), beside.string());
+      config::ConfigNode::parse(urdf_key_text(model, assumed), label.string());
   read_urdf(assembly, scope, node["urdf"]);
   assembly.problems.throw_if_any();
   for (UrdfJoint& joint : model.tree.joints) joint.element = nullptr;  // the text is destroyed here
+  set_limits(assembly);
   model.table = std::move(assembly.table);
   model.table.capsules.clear();
-  const auto vector = [](const std::vector<double>& values) -> JointVector {
-    return Eigen::Map<const JointVector>(values.data(), values.size());
-  };
-  model.table.lower = vector(assembly.lower);
-  model.table.upper = vector(assembly.upper);
-  model.table.velocity = vector(assembly.velocity);
-  model.table.acceleration = vector(assembly.acceleration);
-  model.table.jerk = vector(assembly.jerk);
   model.links = std::move(assembly.links);
   model.notes = std::move(assembly.notes);
   return model;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/robot/files/read_urdf.hpp"
 
@@ -19,14 +18,11 @@ struct Shapes {
   std::vector<Capsule> capsules;  ///< in the link's frame
 
   void add(const Vec3& from, const Vec3& to, double radius) {
-    Capsule capsule;
-    capsule.from = from;
-    capsule.to = to;
-    capsule.radius = radius;
-    capsules.push_back(std::move(capsule));
+    capsules.push_back({"", -1, from, to, radius});
   }
 
-  bool sphere_at(const Vec3& centre, double radius) const {
+  /// Returns true if the link has a sphere of this radius at that point.
+  bool has_sphere(const Vec3& centre, double radius) const {
     return std::ranges::any_of(link.collision_array, [&](const urdf::CollisionSharedPtr& c) {
       const auto* sphere = dynamic_cast<const urdf::Sphere*>(c->geometry.get());
       return sphere && std::abs(sphere->radius - radius) < kMatchTolerance_m &&
@@ -36,20 +32,19 @@ struct Shapes {
 
   void add_cylinder(const Pose& pose, double radius, double length) {
     const Vec3 from = pose * Vec3(0, 0, -length / 2), to = pose * Vec3(0, 0, length / 2);
-    const bool capsule = sphere_at(from, radius) && sphere_at(to, radius);
-    const double around = std::hypot(radius, length / 2);
-    const double long_volume = radius * radius * (4.0 / 3 * radius + length);
-    if (!capsule && 4.0 / 3 * around * around * around < long_volume) {
-      return add(pose.translation(), pose.translation(), around);
-    }
+    const bool has_caps = has_sphere(from, radius) && has_sphere(to, radius);
+    const double sphere_radius = std::hypot(radius, length / 2);
+    const double capsule_volume = radius * radius * (4.0 / 3 * radius + length);  // divided by pi
+    if (!has_caps && 4.0 / 3 * sphere_radius * sphere_radius * sphere_radius < capsule_volume)
+      return add(pose.translation(), pose.translation(), sphere_radius);
     add(from, to, radius);
   }
 
-  /// Adds capsules along the longest side, side by side over the middle one, as many as make their
-  /// cross sections about round.
+  /// Adds capsules along the longest side, side by side along the second longest, as many as make
+  /// the parts of the cross section about square.
   void add_box(const Pose& pose, const Vec3& size) {
-    std::array<Eigen::Index, 3> axis = {0, 1, 2};
-    std::ranges::sort(axis, [&](Eigen::Index a, Eigen::Index b) { return size[a] > size[b]; });
+    std::array<int, 3> axis = {0, 1, 2};
+    std::ranges::sort(axis, [&](int a, int b) { return size[a] > size[b]; });
     const auto [first, second, third] = axis;
     const double ratio = size[third] > 0 ? size[second] / size[third] : kMaxCapsulesPerBox;
     const int count = std::clamp(static_cast<int>(std::lround(ratio)), 1, kMaxCapsulesPerBox);
@@ -62,7 +57,7 @@ struct Shapes {
     }
   }
 
-  /// Removes spheres inside another capsule of the link, which add no volume.
+  /// Removes spheres inside another capsule of the link.
   void drop_hidden_spheres() {
     const auto hidden = [&](const Capsule& sphere) {
       if (sphere.from != sphere.to) return false;
@@ -75,9 +70,9 @@ struct Shapes {
         return depth <= other.radius + kMatchTolerance_m;
       });
     };
-    std::vector<Capsule> left;
-    std::ranges::copy_if(capsules, std::back_inserter(left), std::not_fn(hidden));
-    capsules = std::move(left);
+    std::vector<Capsule> visible;
+    std::ranges::copy_if(capsules, std::back_inserter(visible), std::not_fn(hidden));
+    capsules = std::move(visible);
   }
 };
 
@@ -88,13 +83,13 @@ const files::XmlElement& link_element(const files::XmlText& text, const std::str
   return text.root();
 }
 
-std::string free_name(const RobotModel& table, const std::string& wanted) {
-  const auto taken = [&](const std::string& name) {
-    return std::ranges::find(table.capsules, name, &Capsule::name) != table.capsules.end();
+std::string free_name(const RobotModel& table, const std::string& name) {
+  const auto taken = [&](const std::string& candidate) {
+    return std::ranges::count(table.capsules, candidate, &Capsule::name) > 0;
   };
-  std::string name = wanted;
-  for (int k = 2; taken(name); ++k) name = fmt::format("{}_{}", wanted, k);
-  return name;
+  std::string free = name;
+  for (int k = 2; taken(free); ++k) free = fmt::format("{}_{}", name, k);
+  return free;
 }
 
 }  // namespace
@@ -104,15 +99,14 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
   const files::XmlElement& element = link_element(text, link.name);
   const std::vector<const files::XmlElement*> elements = files::children(element, "collision");
   Shapes shapes{link, {}};
-  const bool drawn = element.FirstChildElement("visual") != nullptr;
-  if (drawn || !link.collision_array.empty()) assembly.frames_with_geometry.push_back(frame);
+  if (element.FirstChildElement("visual") || !link.collision_array.empty())
+    assembly.frames_with_geometry.push_back(frame);
   if (!use_shapes) return;
-  for (std::size_t k = 0; k < link.collision_array.size(); ++k) {
+  for (int k = 0; k < std::ssize(link.collision_array); ++k) {
     const urdf::Collision& collision = *link.collision_array[k];
-    const files::XmlElement& at = k < elements.size() ? *elements[k] : element;
-    const std::string key = fmt::format("link {}.collision", link.name);
+    const files::XmlElement& source = k < std::ssize(elements) ? *elements[k] : element;
     const Pose pose = pose_of(collision.origin);
-    const std::size_t before = shapes.capsules.size();
+    const std::ptrdiff_t before = std::ssize(shapes.capsules);
     if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision.geometry.get())) {
       shapes.add(pose.translation(), pose.translation(), sphere->radius);
     } else if (const auto* rod = dynamic_cast<const urdf::Cylinder*>(collision.geometry.get())) {
@@ -122,9 +116,11 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
     } else {
       assembly.meshes[text.file.string()].push_back(link.name);
     }
-    for (std::size_t i = before; i < shapes.capsules.size(); ++i) {
+    for (std::ptrdiff_t i = before; i < std::ssize(shapes.capsules); ++i) {
       shapes.capsules[i].name = prefix + (collision.name.empty() ? link.name : collision.name);
-      if (!(shapes.capsules[i].radius > 0)) text.fail(at, key, "has no size: must be above 0");
+      if (!(shapes.capsules[i].radius > 0))
+        text.fail(source, fmt::format("link {}.collision", link.name),
+                  "has no size: must be above 0");
     }
   }
   shapes.drop_hidden_spheres();

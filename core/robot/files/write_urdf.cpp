@@ -14,12 +14,12 @@ namespace morphe::robot {
 namespace {
 
 std::string numbers(const Vec3& v) {
-  const Vec3 positive = v.array() + 0.0;  // avoids -0
-  return fmt::format("{} {} {}", positive.x(), positive.y(), positive.z());
+  const Vec3 unsigned_zeros = v.array() + 0.0;  // writes 0 for -0
+  return fmt::format("{} {} {}", unsigned_zeros.x(), unsigned_zeros.y(), unsigned_zeros.z());
 }
 
-/// Returns roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll), exact at pitch ±90 degrees too:
-/// there yaw is not determined and roll takes the whole rotation.
+/// Returns roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll). It is exact at a pitch of ±90
+/// degrees too: yaw is then arbitrary, and roll makes up for it.
 Vec3 rpy_of(const Eigen::Matrix3d& r) {
   const double yaw = std::atan2(r(1, 0), r(0, 0));
   const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
@@ -41,8 +41,8 @@ std::string shape(const std::string& name, const Pose& pose, const std::string& 
 }
 
 std::string capsule_shapes(const RobotModel::Capsule& capsule) {
-  const auto sphere = [&](const std::string& name, const Vec3& at) {
-    return shape(name, make_pose(at, Quat::Identity()),
+  const auto sphere = [&](const std::string& name, const Vec3& centre) {
+    return shape(name, make_pose(centre, Quat::Identity()),
                  fmt::format("<sphere radius=\"{}\"/>", capsule.radius));
   };
   const Vec3 axis = capsule.to - capsule.from;
@@ -71,7 +71,6 @@ std::string link(const std::string& name, const std::string& body) {
   return fmt::format("  <link name=\"{}\">\n{}  </link>\n", files::escape_xml(name), body);
 }
 
-/// The names of a joint and its child link.
 struct Names {
   std::string joint, link;
 };
@@ -94,39 +93,37 @@ struct Writer {
   int root_frame = -1;  ///< the frame that is the root link, -1 if there is no such frame
   std::string text;
 
-  const UrdfExtra& extra(std::size_t frame) const {
+  const UrdfExtra& extra(int frame) const {
     static const UrdfExtra kNone;
     return extras.empty() ? kNone : extras[frame];
   }
 
-  static std::string free_name(std::string name, const char* more, std::set<std::string>& taken) {
-    while (!taken.insert(name).second) name += more;
+  static std::string free_name(std::string name, const char* ending, std::set<std::string>& taken) {
+    while (!taken.insert(name).second) name += ending;
     return name;
   }
 
-  /// Returns the only frame at the base, if it is a URDF's root and the base itself has no shape.
+  /// Returns the frame that becomes the root link: the only one at the base, if it is a URDF's root
+  /// link at the base's pose and the base itself has no capsule; else -1.
   int find_root() const {
     if (extras.empty() || extras.front().link.empty() || !extras.front().joint.empty()) return -1;
-    for (std::size_t f = 1; f < robot.frames.size(); ++f) {
-      if (robot.frames[f].parent < 0) return -1;
-    }
+    if (std::ranges::count(robot.frames, -1, &RobotModel::Frame::parent) > 1) return -1;
     const RobotModel::Frame& first = robot.frames.front();
-    const bool still = first.joint < 0 && first.transform.isApprox(Pose::Identity(), 0);
-    return still && capsules_of(robot, -1).empty() ? 0 : -1;
+    const bool at_base = first.joint < 0 && first.transform.isApprox(Pose::Identity(), 0);
+    return at_base && capsules_of(robot, -1).empty() ? 0 : -1;
   }
 
   void name_all() {
     root_frame = find_root();
-    // Names from URDFs are kept; names of other frames are changed if they conflict.
+    // Names from URDFs come first and are kept; those of other frames are changed if in use.
     names.resize(robot.frames.size());
     for (const bool of_urdf : {true, false}) {
-      for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+      for (int f = 0; f < std::ssize(robot.frames); ++f) {
         const UrdfExtra& known = extra(f);
         const std::string& name = robot.frames[f].name;
         if (known.link.empty() != of_urdf)
           names[f].link = free_name(of_urdf ? known.link : name, "_frame", links_taken);
-        if (static_cast<int>(f) == root_frame) continue;
-        if (known.joint.empty() != of_urdf)
+        if (f != root_frame && known.joint.empty() != of_urdf)
           names[f].joint = free_name(of_urdf ? known.joint : name, "_joint", joints_taken);
       }
     }
@@ -135,27 +132,23 @@ struct Writer {
 
   const std::string& parent_of(int frame) const { return frame < 0 ? root : names[frame].link; }
 
-  /// Returns the frame that rotates by the joint's own value: the one with its name, else the
-  /// first.
-  std::size_t driver_of(int k) const {
-    const std::string& name = robot.joint_names[k];
-    std::size_t first = robot.frames.size();
-    for (std::size_t f = robot.frames.size(); f-- > 0;) {
-      if (robot.frames[f].joint != k) continue;
-      if (names[f].joint == name) return f;
-      first = f;
+  /// Returns the frame that moves by the joint's own value: the one with its name, else the first.
+  int driver_of(int joint) const {
+    int driver = -1;
+    for (int f = 0; f < std::ssize(robot.frames); ++f) {
+      if (robot.frames[f].joint != joint) continue;
+      if (driver < 0 || names[f].joint == robot.joint_names[joint]) driver = f;
     }
-    return first;
+    return driver;
   }
 
-  void add_moving(std::size_t f) {
+  void add_moving(int f) {
     const RobotModel::Frame& frame = robot.frames[f];
-    const UrdfExtra& known = extra(f);
     Pose pose = frame.transform;
-    const Eigen::Index k = frame.joint;
+    const int k = frame.joint;
     std::string more = fmt::format("    <axis xyz=\"{}\"/>\n", numbers(frame.axis));
     double lower = robot.lower[k], upper = robot.upper[k];
-    const std::size_t driver = driver_of(frame.joint);
+    const int driver = driver_of(k);
     if (driver == f) {
       if (frame.prismatic) {
         pose = pose * Eigen::Translation3d(frame.offset * frame.axis);
@@ -169,41 +162,39 @@ struct Writer {
                           files::escape_xml(names[driver].joint), frame.ratio, frame.offset);
     }
     more += fmt::format("    <limit lower=\"{}\" upper=\"{}\" effort=\"{}\" velocity=\"{}\"/>\n",
-                        std::min(lower, upper), std::max(lower, upper), known.effort.value_or(0),
+                        std::min(lower, upper), std::max(lower, upper), extra(f).effort.value_or(0),
                         std::abs(frame.ratio) * robot.velocity[k]);
     const double round = 2 * std::numbers::pi;
-    const bool endless = known.continuous && lower == -round && upper == round;
+    const bool continuous = extra(f).continuous && lower == -round && upper == round;
     text += joint(names[f],
                   frame.prismatic ? "prismatic"
-                  : endless       ? "continuous"
+                  : continuous    ? "continuous"
                                   : "revolute",
-                  parent_of(frame.parent), pose, more + known.dynamics);
+                  parent_of(frame.parent), pose, more + extra(f).dynamics);
   }
 
   void add_frames() {
     if (root_frame < 0) text += link(root, capsules_of(robot, -1));
-    for (std::size_t f = 0; f < robot.frames.size(); ++f) {
+    for (int f = 0; f < std::ssize(robot.frames); ++f) {
       const RobotModel::Frame& frame = robot.frames[f];
       if (frame.joint >= 0) {
         add_moving(f);
-      } else if (static_cast<int>(f) != root_frame) {
+      } else if (f != root_frame) {
         text += joint(names[f], "fixed", parent_of(frame.parent), frame.transform, "");
       }
-      const std::string shapes =
-          extra(f).has_collision ? "" : capsules_of(robot, static_cast<int>(f));
+      const std::string shapes = extra(f).has_collision ? "" : capsules_of(robot, f);
       text += link(names[f].link, extra(f).link_elements + shapes);
     }
   }
 
   void add_tips() {
     for (const RobotModel::Tip& tip : robot.tips) {
-      Names own{tip.name, tip.name};
-      while (links_taken.contains(own.link) || joints_taken.contains(own.link)) own.link += "_tip";
-      own.joint = own.link;
-      links_taken.insert(own.link);
-      joints_taken.insert(own.joint);
-      text += joint(own, "fixed", parent_of(tip.frame), tip.transform, "");
-      text += link(own.link, "");
+      std::string name = tip.name;
+      while (links_taken.contains(name) || joints_taken.contains(name)) name += "_tip";
+      links_taken.insert(name);
+      joints_taken.insert(name);
+      text += joint({name, name}, "fixed", parent_of(tip.frame), tip.transform, "");
+      text += link(name, "");
     }
   }
 
@@ -211,7 +202,8 @@ struct Writer {
     name_all();
     text = "<?xml version=\"1.0\"?>\n";
     for (std::string line : comment) {
-      for (std::size_t at; (at = line.find("--")) != std::string::npos;) line.insert(at + 1, " ");
+      for (std::size_t dashes; (dashes = line.find("--")) != std::string::npos;)
+        line.insert(dashes + 1, " ");
       text += fmt::format("<!-- {} -->\n", line);
     }
     text += fmt::format("<robot name=\"{}\">\n", files::escape_xml(robot.name));

@@ -3,15 +3,15 @@
 
 const kTurn = 0.008, kSteep = Math.PI / 2 - 0.01;
 
-// {camera, look(from, at, up), aspect(width, height)}; onChange() after every move, onClick(x, y) with
-// coordinates from -1 to 1.
+// {camera, look(from, to), distanceFor(radius), resize(width, height)}; onChange() after every move,
+// onClick(x, y) with coordinates from -1 to 1.
 export function createCamera(canvas, onChange, onClick) {
   const camera = new THREE.PerspectiveCamera(40, 1, 0.01, 50);
   camera.up.set(0, 0, 1);
   const centre = new THREE.Vector3();
   let yaw = 0, pitch = 0.3, distance = 2;
 
-  const place = () => {
+  const updateCamera = () => {
     const flat = Math.cos(pitch);
     camera.position.set(Math.cos(yaw) * flat, Math.sin(yaw) * flat, Math.sin(pitch))
       .multiplyScalar(distance).add(centre);
@@ -22,25 +22,25 @@ export function createCamera(canvas, onChange, onClick) {
   const turn = (dx, dy) => {
     yaw -= kTurn * dx;
     pitch = Math.min(kSteep, Math.max(-kSteep, pitch + kTurn * dy));
-    place();
+    updateCamera();
   };
   const move = (dx, dy) => {
     const scale = 2 * distance * Math.tan(camera.fov * Math.PI / 360) / canvas.clientHeight;
     const right = new THREE.Vector3().setFromMatrixColumn(camera.matrix, 0);
     const up = new THREE.Vector3().setFromMatrixColumn(camera.matrix, 1);
     centre.addScaledVector(right, -dx * scale).addScaledVector(up, dy * scale);
-    place();
+    updateCamera();
   };
   const zoom = (factor) => {
     distance = Math.min(20, Math.max(0.1, distance * factor));
-    place();
+    updateCamera();
   };
 
   const pointers = new Map();
   let travelled = 0;
   const middle = () => {
     const all = [...pointers.values()];
-    const mean = (of) => all.reduce((sum, pointer) => sum + of(pointer), 0) / all.length;
+    const mean = (coordinate) => all.reduce((sum, pointer) => sum + coordinate(pointer), 0) / all.length;
     const x = mean((p) => p.x), y = mean((p) => p.y);
     return { x, y, spread: mean((p) => Math.hypot(p.x - x, p.y - y)) };
   };
@@ -96,11 +96,11 @@ export function createCamera(canvas, onChange, onClick) {
       distance = away.length();
       pitch = Math.min(kSteep, Math.max(-kSteep, Math.asin(away.z / distance)));
       if (Math.hypot(away.x, away.y) > 1e-6) yaw = Math.atan2(away.y, away.x);
-      place();
+      updateCamera();
     },
     // From which distance a ball fills the view.
     distanceFor: (radius) => radius / Math.sin(Math.min(1, camera.aspect) * camera.fov * Math.PI / 360),
-    shape(width, height) {
+    resize(width, height) {
       camera.aspect = width / Math.max(1, height);
       camera.updateProjectionMatrix();
       onChange();

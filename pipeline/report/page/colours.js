@@ -1,3 +1,3 @@
-// A colour of style.css, in the theme that is on.
+// A colour of style.css, in the current theme.
 export const colour = (name) =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();

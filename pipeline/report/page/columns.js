@@ -1,9 +1,9 @@
 // Columns of the first page's table: plans, or the differences of two runs.
 import { report, rows } from "./data.js";
 import { build, buildName, buildStatus, runClass } from "./elements.js";
-import { fillMeasure, measureText, measures, shownValue, valuesOf } from "./measures.js";
+import { plainText } from "./format.js";
+import { fillMeasure, measures, measureText, shownValue, valuesOf } from "./measures.js";
 import { addressOf } from "./state.js";
-import { plainText } from "./words.js";
 
 const linkTo = (row) => {
   const link = build("a", { href: addressOf(rows, row) });
@@ -12,16 +12,16 @@ const linkTo = (row) => {
 };
 
 function textColumn(id, title, width, textOf) {
-  return { id, title, unit: "", hint: title, number: false, width, key: textOf,
+  return { id, title, unit: "", hint: title, number: false, width, sortKey: textOf,
            fill: (cell, item) => cell.append(buildName(textOf(item))) };
 }
 
 const measureColumn = (measure) => ({
-  id: measure.id, title: measure.short, unit: measure.unit, hint: measure.title, number: true, width: 5.4,
-  key: (row) => valuesOf(measure)[row], fill: (cell, row) => fillMeasure(cell, measure, rows[row]),
+  id: measure.id, title: measure.label, unit: measure.unit, hint: measure.title, number: true, width: 5.4,
+  sortKey: (row) => valuesOf(measure)[row], fill: (cell, row) => fillMeasure(cell, measure, rows[row]),
 });
 
-const isSaid = (key) => rows.some((row) => row[key]);
+const isGiven = (sortKey) => rows.some((row) => row[sortKey]);
 
 // Items are indices into rows.
 export function planColumns() {
@@ -38,46 +38,46 @@ export function planColumns() {
                      cell.append(rows[row].reason);
                      cell.title = plainText(rows[row].detail);
                    } };
-  return [plan, ...(report.runs.length > 1 ? [run] : []), status, ...(isSaid("reason") ? [reason] : []),
-          ...(isSaid("subject") ? [textColumn("subject", "Subject", 6, (row) => rows[row].subject)] : []),
-          ...(isSaid("task") ? [textColumn("task", "Task", 8, (row) => rows[row].task)] : []),
+  return [plan, ...(report.runs.length > 1 ? [run] : []), status, ...(isGiven("reason") ? [reason] : []),
+          ...(isGiven("subject") ? [textColumn("subject", "Subject", 6, (row) => rows[row].subject)] : []),
+          ...(isGiven("task") ? [textColumn("task", "Task", 8, (row) => rows[row].task)] : []),
           ...measures.map(measureColumn)];
 }
 
-// Of every row the one of the other run that follows the same demonstration, -1: none.
-export function partners(before, after) {
+// For every row that of the other run's plan of the same demonstration, -1: none.
+export function partnerRows(before, after) {
   const indexOf = new Map();
   rows.forEach((row, index) => { if (row.run === after) indexOf.set(row.plan, index); });
   return rows.map((row) => (row.run === before ? indexOf.get(row.plan) ?? -1 : -1));
 }
 
-const signed = (measure, value) => (value > 0 ? "+" : "") + measureText({ ...measure, words: undefined }, value);
+const signed = (measure, value) => (value > 0 ? "+" : "") + measureText({ ...measure, valueNames: undefined }, value);
 
-function differenceColumn(measure, partner) {
+function differenceColumn(measure, partnerOf) {
   const difference = (row) =>
-    (partner[row] < 0 ? NaN : shownValue(measure, rows[partner[row]]) - shownValue(measure, rows[row]));
+    (partnerOf[row] < 0 ? NaN : shownValue(measure, rows[partnerOf[row]]) - shownValue(measure, rows[row]));
   return {
-    id: measure.id, title: `Δ ${measure.short}`, unit: measure.unit, number: true, width: 5.4,
+    id: measure.id, title: `Δ ${measure.label}`, unit: measure.unit, number: true, width: 5.4,
     hint: `${measure.title}: second run minus first run`,
-    key: difference,
+    sortKey: difference,
     fill: (cell, row) => {
       const value = difference(row);
       cell.append(Number.isNaN(value) ? "–" : signed(measure, value));
-      if (partner[row] >= 0)
-        cell.title = `${measure.source}: ${measure.of(rows[row])} → ${measure.of(rows[partner[row]])} ${measure.siUnit}`;
+      if (partnerOf[row] >= 0)
+        cell.title = `${measure.source}: ${measure.rawValue(rows[row])} → ${measure.rawValue(rows[partnerOf[row]])} ${measure.siUnit}`;
     },
   };
 }
 
-// Items are indices into rows of the run before.
-export function differenceColumns(partner) {
+// Items are indices into rows of the first run.
+export function differenceColumns(partnerOf) {
   const statusOf = (row) => {
-    const other = partner[row] < 0 ? "missing" : rows[partner[row]].status;
+    const other = partnerOf[row] < 0 ? "missing" : rows[partnerOf[row]].status;
     return rows[row].status === other ? other : `${rows[row].status} → ${other}`;
   };
   return [
     { ...textColumn("plan", "Plan", 14, (row) => rows[row].plan), fill: (cell, row) => cell.append(linkTo(row)) },
     { ...textColumn("status", "Status", 12, statusOf), fill: (cell, row) => cell.append(statusOf(row)) },
-    ...measures.map((measure) => differenceColumn(measure, partner)),
+    ...measures.map((measure) => differenceColumn(measure, partnerOf)),
   ];
 }

@@ -1,18 +1,19 @@
-// How many plans of each status and reason, as buttons that select; of several runs a line each, and
-// what their plans measure in the median.
+// The number of plans of each status and reason, as buttons that select them; for several runs a table
+// of their medians.
 import { reasonSentence, report, rows } from "./data.js";
 import { build, buildButton, buildName, runClass } from "./elements.js";
 import { filter, passing, setFilter } from "./filter.js";
-import { buildFigure, measures, valuesOf } from "./measures.js";
-import { counted, medianOf } from "./words.js";
+import { countText, medianOf } from "./format.js";
+import { buildNumberCell, measures, valuesOf } from "./measures.js";
 
-const tally = (of) => {
+// [[value, count]] of a key of the rows, the most frequent first.
+const countValues = (key) => {
   const counts = new Map();
-  for (const row of rows) if (of(row) !== "") counts.set(of(row), (counts.get(of(row)) ?? 0) + 1);
+  for (const row of rows) if (row[key] !== "") counts.set(row[key], (counts.get(row[key]) ?? 0) + 1);
   return [...counts].sort(([, a], [, b]) => b - a);
 };
 
-const nowCounted = (key, value) => rows.reduce((sum, row, i) => sum + (passing[i] && row[key] === value ? 1 : 0), 0);
+const countShown = (key, value) => rows.reduce((sum, row, i) => sum + (passing[i] && row[key] === value ? 1 : 0), 0);
 
 function countButton(key, value, count, hint) {
   const number = build("b", {}, String(count));
@@ -20,7 +21,7 @@ function countButton(key, value, count, hint) {
       () => setFilter({ [key]: filter[key] === value ? "" : value }));
   button.append(number, ` ${value}`);
   const update = () => {
-    const shown = nowCounted(key, value);
+    const shown = countShown(key, value);
     number.textContent = shown === count ? String(count) : `${shown} of ${count}`;
     button.setAttribute("aria-pressed", String(filter[key] === value));
   };
@@ -29,8 +30,8 @@ function countButton(key, value, count, hint) {
 
 // {section, update}
 export function buildCounts() {
-  const statuses = tally(({ status }) => status).map(([value, count]) => countButton("status", value, count, ""));
-  const reasons = tally(({ reason }) => reason).map(([value, count]) =>
+  const statuses = countValues("status").map(([value, count]) => countButton("status", value, count, ""));
+  const reasons = countValues("reason").map(([value, count]) =>
     countButton("reason", value, count, reasonSentence(value)));
   const section = build("section", { "aria-labelledby": "counts-title" },
       build("h2", { id: "counts-title" }, "Plans"),
@@ -40,23 +41,23 @@ export function buildCounts() {
     section.append(build("div", { class: "counts reasons" }, build("span", { class: "muted" }, "reasons"),
         ...reasons.map(({ button }) => button)));
   }
-  if (report.runs.length > 1) section.append(runsTable());
-  const update = () => [...statuses, ...reasons].forEach((each) => each.update());
+  if (report.runs.length > 1) section.append(buildRunsTable());
+  const update = () => [...statuses, ...reasons].forEach((countEntry) => countEntry.update());
   return { section, update };
 }
 
-function runsTable() {
-  const shown = measures.filter((measure) => valuesOf(measure).some((x) => !Number.isNaN(x)) && !measure.words);
+function buildRunsTable() {
+  const shown = measures.filter((measure) => valuesOf(measure).some((x) => !Number.isNaN(x)) && !measure.valueNames);
   const head = build("tr", {}, build("th", { scope: "col" }, "Run"), build("th", { scope: "col" }, "Executable"),
-      ...shown.map(({ short, unit }) => build("th", { scope: "col", class: "number" }, `${short} ${unit}`)));
-  const lines = report.runs.map(({ name }, run) => {
-    const own = rows.map((_, i) => i).filter((i) => rows[i].run === run);
-    const good = own.filter((i) => rows[i].status === "executable").length;
+      ...shown.map(({ label, unit }) => build("th", { scope: "col", class: "number" }, `${label} ${unit}`)));
+  const runRows = report.runs.map(({ name }, run) => {
+    const planIndices = rows.map((_, i) => i).filter((i) => rows[i].run === run);
+    const executableCount = planIndices.filter((i) => rows[i].status === "executable").length;
     return build("tr", {},
         build("th", { scope: "row" }, build("span", { class: runClass(run), "aria-hidden": "true" }), " ", buildName(name)),
-        build("td", {}, `${good} of ${counted(own.length, "plan")}`),
-        ...shown.map((measure) => buildFigure(measure, medianOf(own.map((i) => valuesOf(measure)[i])))));
+        build("td", {}, `${executableCount} of ${countText(planIndices.length, "plan")}`),
+        ...shown.map((measure) => buildNumberCell(measure, medianOf(planIndices.map((i) => valuesOf(measure)[i])))));
   });
   return build("div", { class: "table-box plain" }, build("table", { class: "medians" },
-      build("caption", {}, "Medians of each run's plans"), build("thead", {}, head), build("tbody", {}, ...lines)));
+      build("caption", {}, "Medians of each run's plans"), build("thead", {}, head), build("tbody", {}, ...runRows)));
 }

@@ -1,19 +1,19 @@
-// The report's data: what stands in the page as text, read once. README.md has the contract.
+// The report's data, read once from the page. README.md has the format.
 
 const jsonOf = (id) => JSON.parse(document.getElementById(id).textContent);
 
 export const report = jsonOf("report");
 export const rows = jsonOf("rows");
 
-// What a reason means, as a sentence.
+// The meaning of a reason, as a sentence.
 export const reasonSentence = (reason) => (Object.hasOwn(report.reasons, reason) ? report.reasons[reason] : "");
 
 // Values of a table, row by row, from the bytes of its columns.
-function decodeTable(bytes, { array: [rowCount, columnCount], step, at }) {
+function decodeTable(bytes, { array: [rowCount, columnCount], step, offset }) {
   const values = new Float64Array(rowCount * columnCount);
-  let next = at;
+  let next = offset;
   for (let column = 0; column < columnCount; ++column) {
-    let before = 0, last = 0;
+    let beforeLast = 0, last = 0;
     for (let row = 0; row < rowCount; ++row) {
       let code = 0, weight = 1, byte;
       do {
@@ -25,10 +25,10 @@ function decodeTable(bytes, { array: [rowCount, columnCount], step, at }) {
       if (code > 0) {
         const zigzag = code - 1;
         const second = zigzag % 2 === 0 ? zigzag / 2 : -(zigzag + 1) / 2;
-        const whole = second + 2 * last - before;
-        before = last;
-        last = whole;
-        value = whole * step;
+        const steps = second + 2 * last - beforeLast;
+        beforeLast = last;
+        last = steps;
+        value = steps * step;
       }
       values[row * columnCount + column] = value;
     }
@@ -36,12 +36,12 @@ function decodeTable(bytes, { array: [rowCount, columnCount], step, at }) {
   return { rows: rowCount, cols: columnCount, values };
 }
 
-function withTables(node, bytes) {
-  if (Array.isArray(node)) return node.map((each) => withTables(each, bytes));
+function decodeTables(node, bytes) {
+  if (Array.isArray(node)) return node.map((element) => decodeTables(element, bytes));
   if (node === null || typeof node !== "object") return node;
   if (Array.isArray(node.array)) return decodeTable(bytes, node);
   const out = {};
-  for (const [key, value] of Object.entries(node)) out[key] = withTables(value, bytes);
+  for (const [key, value] of Object.entries(node)) out[key] = decodeTables(value, bytes);
   return out;
 }
 
@@ -53,37 +53,37 @@ async function inflate(base64) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-const whole = new Promise((resolve) => {
+const documentLoaded = new Promise((resolve) => {
   if (document.readyState !== "loading") resolve();
   else document.addEventListener("DOMContentLoaded", resolve, { once: true });
 });
 
-// What a block holds, tables as {rows, cols, values}. The last few are kept.
-const kept = new Map();
-const kMostKept = 32;
+// The contents of a block, tables as {rows, cols, values}. The last few blocks are kept.
+const loadedBlocks = new Map();
+const kMaxLoadedBlocks = 32;
 
 export function loadBlock(id) {
-  if (!kept.has(id)) {
-    if (kept.size >= kMostKept) kept.delete(kept.keys().next().value);
-    kept.set(id, readBlock(id));
+  if (!loadedBlocks.has(id)) {
+    if (loadedBlocks.size >= kMaxLoadedBlocks) loadedBlocks.delete(loadedBlocks.keys().next().value);
+    loadedBlocks.set(id, readBlock(id));
   }
-  return kept.get(id);
+  return loadedBlocks.get(id);
 }
 
 async function readBlock(id) {
   let element = document.getElementById(id);
   if (!element) {
-    await whole;
+    await documentLoaded;
     element = document.getElementById(id);
   }
   const bytes = await inflate(element.textContent);
   const length = new DataView(bytes.buffer).getUint32(0, true);
   const json = JSON.parse(new TextDecoder().decode(bytes.subarray(4, 4 + length)));
-  return withTables(json, bytes.subarray(4 + length));
+  return decodeTables(json, bytes.subarray(4 + length));
 }
 
-// A table's value; NaN: not seen.
-export const at = (table, row, column = 0) => table.values[row * table.cols + column];
+// A table's value; NaN: unknown.
+export const valueAt = (table, row, column = 0) => table.values[row * table.cols + column];
 
 export function rowOf(table, row) {
   return table.values.subarray(row * table.cols, (row + 1) * table.cols);

@@ -1,34 +1,34 @@
-// Which rows are shown, and what the address says of it.
+// The rows that are shown, and the filter in the page's address.
+import { binningOf, rangeFromAddress, rangeToAddress } from "./bins.js";
 import { rows } from "./data.js";
-import { emit } from "./state.js";
-import { binningOf, rangeOfText, textOfRange } from "./bins.js";
 import { measureOf } from "./measures.js";
+import { emit } from "./state.js";
 
-const nothing = () => ({
+const emptyFilter = () => ({
   status: "", reason: "", run: "", search: "",
   ranges: new Map(), // measure's id → {first, last} of its bins
   sort: "", descending: false,
   differences: false, before: 0, after: 1, // runs A and B
 });
 
-export const filter = nothing();
+export const filter = emptyFilter();
 
-// Of every row: 1 if it passes.
+// For every row 1 if it passes the filter.
 export const passing = new Uint8Array(rows.length).fill(1);
 let passingCount = rows.length;
 
 export const countPassing = () => passingCount;
 
-let searched = null;
+let searchTexts = null;
 
-const searchedText = ({ plan, subject, task, reason, detail, target }) =>
+const searchTextOf = ({ plan, subject, task, reason, detail, target }) =>
   [plan, subject, task, reason, detail, target].join("\n").toLowerCase();
 
 function searchTests() {
   const words = filter.search.toLowerCase().split(/\s+/).filter((word) => word !== "");
   if (words.length === 0) return [];
-  searched ??= rows.map(searchedText);
-  return [(i) => words.every((word) => searched[i].includes(word))];
+  searchTexts ??= rows.map(searchTextOf);
+  return [(i) => words.every((word) => searchTexts[i].includes(word))];
 }
 
 function rangeTests() {
@@ -46,7 +46,7 @@ function equalTests() {
   return tests;
 }
 
-function judge() {
+function applyFilter() {
   const tests = [...equalTests(), ...rangeTests(), ...searchTests()];
   passingCount = 0;
   for (let i = 0; i < rows.length; ++i) {
@@ -57,7 +57,7 @@ function judge() {
 
 export function setFilter(changes) {
   Object.assign(filter, changes);
-  judge();
+  applyFilter();
   emit("filter");
 }
 
@@ -70,19 +70,19 @@ export function setRange(id, range) {
 
 export function clearFilter() {
   const { sort, descending, differences, before, after } = filter;
-  setFilter({ ...nothing(), sort, descending, differences, before, after });
+  setFilter({ ...emptyFilter(), sort, descending, differences, before, after });
 }
 
 export const isFiltered = () =>
   filter.status !== "" || filter.reason !== "" || filter.run !== "" || filter.search !== "" ||
   filter.ranges.size > 0;
 
-// The first page's address: #?status=infeasible&tempo=1.2~1.6&sort=-tips_mean
+// The first page's address: #?status=infeasible&duration_ratio=1.2~1.6&sort=-tip_error_mean
 export function filterAddress() {
   const query = new URLSearchParams();
   for (const key of ["status", "reason", "search"]) if (filter[key] !== "") query.set(key, filter[key]);
   if (filter.run !== "") query.set("run", filter.run);
-  for (const [id, range] of filter.ranges) query.set(id, textOfRange(measureOf(id), range));
+  for (const [id, range] of filter.ranges) query.set(id, rangeToAddress(measureOf(id), range));
   if (filter.sort !== "") query.set("sort", `${filter.descending ? "-" : ""}${filter.sort}`);
   if (filter.differences) query.set("differences", `${filter.before}~${filter.after}`);
   const text = query.toString();
@@ -98,17 +98,17 @@ function readRanges(query) {
   const ranges = new Map();
   for (const [id, text] of query) {
     const measure = measureOf(id);
-    const range = measure && rangeOfText(measure, text);
+    const range = measure && rangeFromAddress(measure, text);
     if (range) ranges.set(id, range);
   }
   return ranges;
 }
 
-// What an address does not know is passed over.
+// Unknown values in an address are ignored.
 export function readFilterAddress(hash) {
   const query = new URLSearchParams(hash.replace(/^#\??/, ""));
   const sort = query.get("sort") ?? "";
-  const changes = nothing();
+  const changes = emptyFilter();
   for (const key of ["status", "reason", "search"]) changes[key] = query.get(key) ?? "";
   changes.run = readRun(query.get("run") ?? "");
   changes.ranges = readRanges(query);

@@ -1,20 +1,20 @@
-// Where the fingertips should go and where they go: goals, their paths, what is out of reach.
-import { at } from "./data.js";
-import { forward, tipPlace } from "./kinematics.js";
-import { isGoalMotion } from "./player.js";
-import { ballGeometry, boneGeometry, crossGeometry, fixedMesh, pathGeometry, placeBone, pointBetween, pointOf } from "./shapes.js";
+// Goals and paths of the fingertips, and goals out of reach.
+import { valueAt } from "./data.js";
+import { forward, tipPosition } from "./kinematics.js";
+import { isGoalMotion } from "./playback.js";
+import { ballGeometry, boneGeometry, crossGeometry, fixedMesh, interpolatePoint, pathGeometry, placeBone, pointOf } from "./shapes.js";
 
-const kMostPoints = 400;
+const kMaxPathPoints = 400;
 
-// Where the robot's tips go, a list of points for each.
+// The paths of the robot's tips, a list of points for each.
 function tipPaths(plan, robot) {
   const paths = robot.tips.map(() => []);
   for (const motion of plan.motions.filter(isGoalMotion)) {
-    const every = Math.max(1, Math.ceil(motion.time.rows / kMostPoints));
-    for (let row = 0; row < motion.time.rows; row += every) {
+    const stride = Math.max(1, Math.ceil(motion.time.rows / kMaxPathPoints));
+    for (let row = 0; row < motion.time.rows; row += stride) {
       const q = motion.position.values.subarray(row * motion.position.cols, (row + 1) * motion.position.cols);
       const poses = forward(robot, q);
-      robot.tips.forEach((tip, index) => paths[index].push(tipPlace(tip, poses)));
+      robot.tips.forEach((tip, index) => paths[index].push(tipPosition(tip, poses)));
     }
   }
   return paths;
@@ -25,12 +25,12 @@ function goalPaths({ human }, tips) {
     Array.from({ length: human.tips.rows }, (_unused, row) => pointOf(human.tips, row, tip)));
 }
 
-function outOfReach({ human }, tips) {
+function unreachableGoals({ human }, tips) {
   const points = [];
   for (let row = 0; row < human.tips.rows; ++row) {
     for (let tip = 0; tip < tips; ++tip) {
       const point = pointOf(human.tips, row, tip);
-      if (Number.isFinite(point.x) && at(human.reachable, row, tip) === 0) points.push(point);
+      if (Number.isFinite(point.x) && valueAt(human.reachable, row, tip) === 0) points.push(point);
     }
   }
   return points;
@@ -47,7 +47,7 @@ export function createGoals({ plan, robot }, materials) {
     line.computeLineDistances();
     return line;
   });
-  const crosses = new THREE.LineSegments(crossGeometry(outOfReach(plan, tips), 0.008), materials.reach);
+  const crosses = new THREE.LineSegments(crossGeometry(unreachableGoals(plan, tips), 0.008), materials.reach);
   const ball = ballGeometry(0.007), bone = boneGeometry();
   const goals = robot.tips.map(() => new THREE.Mesh(ball, materials.goal));
   const gaps = robot.tips.map(() => fixedMesh(bone, materials.gap));
@@ -56,11 +56,11 @@ export function createGoals({ plan, robot }, materials) {
     group,
     pose(human, poses, pick) {
       robot.tips.forEach((tip, index) => {
-        const goal = pointBetween(plan.human.tips, human, index);
+        const goal = interpolatePoint(plan.human.tips, human, index);
         goals[index].visible = Number.isFinite(goal.x);
         if (goals[index].visible) goals[index].position.copy(goal);
         goals[index].scale.setScalar(pick?.kind === "finger" && pick.index === index ? 2 : 1);
-        if (poses) placeBone(gaps[index], tipPlace(tip, poses), goal, 0.0018);
+        if (poses) placeBone(gaps[index], tipPosition(tip, poses), goal, 0.0018);
         else gaps[index].visible = false;
       });
     },

@@ -1,33 +1,33 @@
 // A measure's distribution: bars of all rows, over them those that are shown. Bars that are clicked,
 // dragged over or chosen with the arrow keys select rows.
+import { binningOf, edgeOf, rangeLabel } from "./bins.js";
 import { report, rows } from "./data.js";
-import { filter, passing, setRange } from "./filter.js";
-import { binningOf, edgeOf, rangeWords } from "./bins.js";
 import { build, buildButton, buildSvg } from "./elements.js";
-import { axisText, counted } from "./words.js";
+import { filter, passing, setRange } from "./filter.js";
+import { axisText, countText } from "./format.js";
 
 const kWidth = 300, kHeight = 108, kLeft = 4, kTop = 15, kBottom = 88;
 const kInner = kWidth - 2 * kLeft;
-const kRuns = report.runs.length;
+const kRunCount = report.runs.length;
 
-// Row by row: [bin * runs + run].
+// The number of plans [bin * runs + run], of all plans or of those that pass the filter.
 function countBins({ bins, count }, all) {
-  const counts = new Uint32Array(count * kRuns);
+  const counts = new Uint32Array(count * kRunCount);
   for (let i = 0; i < rows.length; ++i)
-    if (bins[i] >= 0 && (all || passing[i])) ++counts[bins[i] * kRuns + rows[i].run];
+    if (bins[i] >= 0 && (all || passing[i])) ++counts[bins[i] * kRunCount + rows[i].run];
   return counts;
 }
 
 function buildBar(className, bin, run, width) {
-  const inner = width * 0.9 / kRuns;
+  const inner = width * 0.9 / kRunCount;
   return buildSvg("rect", {
     class: className, x: kLeft + bin * width + width * 0.05 + run * inner, width: inner,
     y: kBottom, height: 0,
   });
 }
 
-function raise(bar, count, most) {
-  const height = count === 0 ? 0 : Math.max(1.5, (kBottom - kTop) * count / most);
+function setBarHeight(bar, count, maxCount) {
+  const height = count === 0 ? 0 : Math.max(1.5, (kBottom - kTop) * count / maxCount);
   bar.setAttribute("y", kBottom - height);
   bar.setAttribute("height", height);
 }
@@ -35,34 +35,34 @@ function raise(bar, count, most) {
 function buildBins(measure, { count }) {
   const width = kInner / count;
   return Array.from({ length: count }, (_, bin) => {
-    const runs = Array.from({ length: kRuns }, (_unused, run) => run);
-    const all = runs.map((run) => buildBar("all", bin, run, width));
-    const shown = runs.map((run) => buildBar(`shown run-${run % 4}`, bin, run, width));
+    const runs = Array.from({ length: kRunCount }, (_unused, run) => run);
+    const all = runs.map((run) => buildBar("all-plans", bin, run, width));
+    const shown = runs.map((run) => buildBar(`shown-plans run-${run % 4}`, bin, run, width));
     const option = buildSvg("g", { role: "option", id: `bin-${measure.id}-${bin}` },
-        buildSvg("rect", { class: "hit", x: kLeft + bin * width, y: 0, width, height: kHeight }),
+        buildSvg("rect", { class: "click-area", x: kLeft + bin * width, y: 0, width, height: kHeight }),
         ...all, ...shown);
     return { option, all, shown };
   });
 }
 
 function tickBins(measure, { count }) {
-  if (measure.words) return [0, 1];
+  if (measure.valueNames) return [0, 1];
   const every = Math.ceil(count / 5);
   return Array.from({ length: Math.floor(count / every) + 1 }, (_, k) => k * every);
 }
 
 function buildAxis(measure, binning) {
-  const { count, step, more } = binning;
+  const { count, step, hasValuesAbove } = binning;
   const width = kInner / count;
-  const centred = measure.whole && step === 1;
+  const centred = measure.isInteger && step === 1;
   const axis = buildSvg("g", { class: "axis", "aria-hidden": "true" },
       buildSvg("line", { x1: kLeft, x2: kWidth - kLeft, y1: kBottom, y2: kBottom }));
   for (const bin of tickBins(measure, binning)) {
     if (centred && bin >= count) continue;
     const x = kLeft + (bin + (centred ? 0.5 : 0)) * width;
     const end = bin === 0 && !centred ? "start" : bin >= count ? "end" : "middle";
-    const open = more && bin >= count - (centred ? 1 : 0);
-    const label = measure.words?.[bin] ?? axisText(edgeOf(binning, bin));
+    const open = hasValuesAbove && bin >= count - (centred ? 1 : 0);
+    const label = measure.valueNames?.[bin] ?? axisText(edgeOf(binning, bin));
     axis.append(buildSvg("line", { x1: x, x2: x, y1: kBottom, y2: kBottom + 3 }),
         buildSvg("text", { x, y: kHeight - 5, "text-anchor": end }, open ? `${label} +` : label));
   }
@@ -78,7 +78,7 @@ function markRange(mark, range, count) {
 const rangeOfBins = (a, b) => ({ first: Math.min(a, b), last: Math.max(a, b) });
 const sameRange = (a, b) => a && b && a.first === b.first && a.last === b.last;
 
-function followPointer(svg, measure, count) {
+function selectByPointer(svg, measure, count) {
   let anchor = -1, before = null;
   const binAt = ({ clientX }) => {
     const box = svg.getBoundingClientRect();
@@ -108,8 +108,8 @@ function followPointer(svg, measure, count) {
   svg.addEventListener("pointercancel", () => { anchor = -1; });
 }
 
-// Arrow keys go from bar to bar, with shift they widen; enter selects, escape lets go.
-function followKeys(svg, measure, count, showCursor) {
+// Arrow keys move from bar to bar, with shift they extend the range; enter selects, escape clears.
+function selectByKeys(svg, measure, count, showCursor) {
   let cursor = 0, anchor = 0;
   const move = (to, widen) => {
     cursor = Math.min(count - 1, Math.max(0, to));
@@ -138,7 +138,7 @@ function followKeys(svg, measure, count, showCursor) {
   svg.addEventListener("blur", () => showCursor(null, -1));
 }
 
-function missingWords({ missing }) {
+function missingText({ missing }) {
   return missing === 0 ? "all plans have a value" : `${missing.toLocaleString("en")} without a value`;
 }
 
@@ -147,8 +147,8 @@ function buildCard(measure, binning, figure) {
   const range = build("span", { class: "range" });
   const clear = buildButton("clear", { class: "quiet", hidden: true }, () => setRange(measure.id, null));
   const head = build("figcaption", {},
-      build("span", { class: "name", title: measure.title }, `${measure.short}${unit}`), range, clear);
-  const foot = build("p", { class: "muted small" }, missingWords(binning));
+      build("span", { class: "name", title: measure.title }, `${measure.label}${unit}`), range, clear);
+  const foot = build("p", { class: "muted small" }, missingText(binning));
   return { card: build("figure", { class: "histogram" }, head, figure, foot), range, clear };
 }
 
@@ -156,12 +156,12 @@ function buildCard(measure, binning, figure) {
 export function buildHistogram(measure) {
   const binning = binningOf(measure);
   if (binning.count === 0) {
-    const none = build("p", { class: "muted nothing" }, "no values");
+    const none = build("p", { class: "muted no-values" }, "no values");
     return { card: buildCard(measure, binning, none).card, update: () => {} };
   }
   const bins = buildBins(measure, binning);
   const all = countBins(binning, true);
-  const most = all.reduce((a, b) => Math.max(a, b), 1);
+  const maxCount = all.reduce((a, b) => Math.max(a, b), 1);
   const mark = buildSvg("rect", { class: "mark", y: kTop - 3, height: kBottom - kTop + 3 });
   const cursor = buildSvg("rect", { class: "cursor", y: kTop - 3, height: kBottom - kTop + 3 });
   const svg = buildSvg("svg", {
@@ -169,29 +169,29 @@ export function buildHistogram(measure) {
     "aria-label": `${measure.title}: bars, enter selects, shift and arrow keys widen`,
     "aria-multiselectable": "true",
   }, mark, ...bins.map(({ option }) => option), buildAxis(measure, binning), cursor,
-  buildSvg("text", { class: "most", x: kLeft, y: 10, "aria-hidden": "true" }, `max ${most} plans`));
+  buildSvg("text", { class: "max-count", x: kLeft, y: 10, "aria-hidden": "true" }, `max ${maxCount} plans`));
   const { card, range, clear } = buildCard(measure, binning, svg);
-  bins.forEach((bin, k) => bin.all.forEach((bar, run) => raise(bar, all[k * kRuns + run], most)));
-  followPointer(svg, measure, binning.count);
-  followKeys(svg, measure, binning.count, (shown, at) => {
+  bins.forEach((bin, k) => bin.all.forEach((bar, run) => setBarHeight(bar, all[k * kRunCount + run], maxCount)));
+  selectByPointer(svg, measure, binning.count);
+  selectByKeys(svg, measure, binning.count, (shown, bin) => {
     markRange(cursor, shown, binning.count);
-    if (at < 0) svg.removeAttribute("aria-activedescendant");
-    else svg.setAttribute("aria-activedescendant", bins[at].option.id);
+    if (bin < 0) svg.removeAttribute("aria-activedescendant");
+    else svg.setAttribute("aria-activedescendant", bins[bin].option.id);
   });
-  const sums = bins.map((_, k) => all.subarray(k * kRuns, (k + 1) * kRuns).reduce((a, b) => a + b, 0));
+  const sums = bins.map((_, k) => all.subarray(k * kRunCount, (k + 1) * kRunCount).reduce((a, b) => a + b, 0));
   const update = () => {
     const chosen = filter.ranges.get(measure.id);
     const shown = countBins(binning, false);
     bins.forEach((bin, k) => {
-      const ofBin = shown.subarray(k * kRuns, (k + 1) * kRuns);
-      bin.shown.forEach((bar, run) => raise(bar, ofBin[run], most));
-      const words = rangeWords(measure, { first: k, last: k });
+      const ofBin = shown.subarray(k * kRunCount, (k + 1) * kRunCount);
+      bin.shown.forEach((bar, run) => setBarHeight(bar, ofBin[run], maxCount));
+      const label = rangeLabel(measure, { first: k, last: k });
       bin.option.setAttribute("aria-label",
-          `${words}: ${ofBin.reduce((a, b) => a + b, 0)} of ${counted(sums[k], "plan")} shown`);
+          `${label}: ${ofBin.reduce((a, b) => a + b, 0)} of ${countText(sums[k], "plan")} shown`);
       bin.option.setAttribute("aria-selected", String(Boolean(chosen && k >= chosen.first && k <= chosen.last)));
     });
     markRange(mark, chosen, binning.count);
-    range.textContent = chosen ? rangeWords(measure, chosen) : "";
+    range.textContent = chosen ? rangeLabel(measure, chosen) : "";
     clear.hidden = !chosen;
   };
   return { card, update };

@@ -1,6 +1,6 @@
-// Where a robot's frames are in its base: base_from_parent * transform * motion(ratio * q + offset).
+// The poses of a robot's frames in its base: base_from_parent * transform * motion(ratio * q + offset).
 
-// Of 16 numbers, row by row.
+// The matrix of 16 numbers, row by row.
 export const matrixOf = (numbers) => new THREE.Matrix4().set(...numbers);
 
 const kPrepared = new WeakMap();
@@ -34,14 +34,14 @@ export function forward(robot, q) {
   return poses;
 }
 
-// A tip's place in the base.
-export function tipPlace({ frame, transform }, poses) {
+// A tip's position in the base.
+export function tipPosition({ frame, transform }, poses) {
   return new THREE.Vector3(transform[3], transform[7], transform[11]).applyMatrix4(poses[frame]);
 }
 
 // The joint that moves a frame, -1: none.
 export function jointOf(robot, frame) {
-  let at = frame;
-  while (at >= 0 && robot.frames[at].joint < 0) at = robot.frames[at].parent;
-  return at < 0 ? -1 : robot.frames[at].joint;
+  let movingFrame = frame;
+  while (movingFrame >= 0 && robot.frames[movingFrame].joint < 0) movingFrame = robot.frames[movingFrame].parent;
+  return movingFrame < 0 ? -1 : robot.frames[movingFrame].joint;
 }

@@ -1,13 +1,13 @@
-// Which page is open: the address says it; the keys that hold on both.
+// Opens the page that the address names, and handles the keys of both pages.
 import { report, rows } from "./data.js";
 import { readFilterAddress } from "./filter.js";
+import { plainText } from "./format.js";
 import { closeMovement, movementKey, openMovement, prepareMovement } from "./movement.js";
 import { focusSearch, openOverview, shownRows } from "./overview.js";
 import { addressOf, emit, readAddress, state } from "./state.js";
-import { plainText } from "./words.js";
 
 const element = (id) => document.getElementById(id);
-const kFirst = element("overview"), kMovement = element("movement");
+const overviewElement = element("overview"), movementElement = element("movement");
 
 let firstAddress = "#";
 
@@ -15,28 +15,28 @@ function route() {
   const found = readAddress(rows, location.hash);
   const before = state.row;
   state.row = found ? found.row : null;
-  kFirst.hidden = found !== null;
-  kMovement.hidden = found === null;
+  overviewElement.hidden = found !== null;
+  movementElement.hidden = found === null;
   element("back").hidden = element("previous").hidden = element("next").hidden = found === null;
   const files = report.runs.map(({ file }) => plainText(file)).join(", ");
   document.title = found ? `${plainText(rows[found.row].plan)} – Morphe` : `${files} – Morphe`;
-  if (found) openMovement(kMovement, found.row, found.time);
+  if (found) openMovement(movementElement, found.row, found.time);
   else {
     closeMovement();
     if (before === null || location.hash.startsWith("#?")) readFilterAddress(location.hash);
-    openOverview(kFirst, before);
+    openOverview(overviewElement, before);
   }
   if (found && before === null) element("back").focus();
   emit("open");
 }
 
-const goBack = () => { location.hash = firstAddress; };
+const openFirstPage = () => { location.hash = firstAddress; };
 
-function goBy(count) {
+function openNeighbour(count) {
   const shown = shownRows();
-  const at = shown.indexOf(state.row);
-  const next = shown[at + count];
-  if (at < 0 || next === undefined) return;
+  const position = shown.indexOf(state.row);
+  const next = shown[position + count];
+  if (position < 0 || next === undefined) return;
   location.hash = addressOf(rows, next);
 }
 
@@ -61,9 +61,9 @@ const showHelp = () => { if (!help.open) help.showModal(); };
 const kKeys = {
   "?": showHelp,
   t: toggleTheme,
-  n: () => goBy(1),
-  N: () => goBy(-1),
-  Escape: () => { if (state.row !== null) goBack(); },
+  n: () => openNeighbour(1),
+  N: () => openNeighbour(-1),
+  Escape: () => { if (state.row !== null) openFirstPage(); },
   "/": () => { if (state.row === null) focusSearch(); },
 };
 
@@ -85,13 +85,13 @@ addEventListener("hashchange", (event) => {
   route();
 });
 
-element("back").addEventListener("click", goBack);
-element("previous").addEventListener("click", () => goBy(-1));
-element("next").addEventListener("click", () => goBy(1));
+element("back").addEventListener("click", openFirstPage);
+element("previous").addEventListener("click", () => openNeighbour(-1));
+element("next").addEventListener("click", () => openNeighbour(1));
 element("theme").addEventListener("click", toggleTheme);
 element("help-button").addEventListener("click", showHelp);
 element("help-close").addEventListener("click", () => help.close());
 element("software").textContent = plainText(report.software);
 
 route();
-(globalThis.requestIdleCallback ?? setTimeout)(() => prepareMovement(kMovement));
+(globalThis.requestIdleCallback ?? setTimeout)(() => prepareMovement(movementElement));

@@ -1,84 +1,84 @@
-// A movement's page: 3D view, clock and plots side by side, what is wrong below.
-import { at, loadBlock, reasonSentence, report, rows } from "./data.js";
+// A movement's page: the reason, 3D view and clock beside the plots, and tables below.
+import { loadBlock, reasonSentence, report, rows, valueAt } from "./data.js";
 import { build, buildButton, buildName, buildStatus } from "./elements.js";
+import { plainText } from "./format.js";
 import { graspSection } from "./grasp.js";
-import { measureText, measures, shownValue } from "./measures.js";
-import { clips, clockRange, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
+import { measures, measureText, shownValue } from "./measures.js";
+import { clockRange, isGoalMotion, stateAt, timedMotions, timeOfDemonstration } from "./playback.js";
 import { createPlots } from "./plots.js";
 import { createReadings } from "./readings.js";
 import { createScene } from "./scene.js";
 import { plotsOf } from "./series.js";
 import { addressOf, on, pick, setTime, state } from "./state.js";
 import { bandsOf, createTimeline } from "./timeline.js";
-import { plainText } from "./words.js";
 
 const kViews = ["front", "side", "top", "eyes", "fit"];
-const kOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
-                  ["meshes", "meshes", true], ["ghost", "mapped path", true], ["objects", "objects", true],
-                  ["nearest", "nearest pair", true], ["contacts", "contacts", true], ["apart", "apart", false]];
+const kDisplayOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
+                  ["meshes", "meshes", true], ["mappedPath", "mapped path", true], ["objects", "objects", true],
+                  ["nearest", "nearest pair", true], ["contacts", "contacts", true], ["sideBySide", "apart", false]];
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2];
 
 let page = null; // what was built once
-let players = [];
+let shownPlans = [];
 let range = { begin: 0, end: 0 };
-let opened = 0;
+let openCount = 0;
 const clock = { playing: false, speed: 1, loop: true, last: 0 };
 
-// The plans of all runs that follow the same demonstration, this one first.
-const sameMovement = (rowIndex) => {
+// The rows of all runs for the same demonstration, this one first.
+const rowsOfDemonstration = (rowIndex) => {
   const others = rows.filter((row, index) => index !== rowIndex && row.plan === rows[rowIndex].plan);
   return [rows[rowIndex], ...others];
 };
 
-async function playerOf(row) {
+async function loadShownPlan(row) {
   const run = report.runs[row.run];
   return { plan: await loadBlock(row.block), robot: run.robot, label: run.name, index: row.run,
            target: row.target, row };
 }
 
-// Builds what every movement needs, before the first one is opened.
+// Builds the page before the first movement is opened.
 export function prepareMovement(host) {
   page ??= buildPage(host);
 }
 
 export async function openMovement(host, rowIndex, time) {
-  const mine = ++opened;
+  const opening = ++openCount;
   prepareMovement(host);
   stopClock();
-  const loaded = await Promise.all(sameMovement(rowIndex).map(playerOf));
-  if (mine !== opened) return;
-  players = loaded;
-  const [{ plan, row }] = players;
+  const loaded = await Promise.all(rowsOfDemonstration(rowIndex).map(loadShownPlan));
+  if (opening !== openCount) return;
+  shownPlans = loaded;
+  const [{ plan, row }] = shownPlans;
   range = clockRange(plan);
   state.pick = null;
   page.title.replaceChildren(...titleOf(row));
   page.reason.replaceChildren(...reasonOf(plan, row));
   page.figures.replaceChildren(...figuresOf(row));
-  page.options.apart.parentElement.hidden = players.length < 2;
-  page.options.ghost.parentElement.hidden = !players.some(hasGhost);
+  page.options.sideBySide.parentElement.hidden = shownPlans.length < 2;
+  page.options.mappedPath.parentElement.hidden = !shownPlans.some(isPathChanged);
   page.grasp.replaceChildren(...(graspSection(plan.grasp, row.physics) ?? []));
-  page.options.contacts.parentElement.hidden = !players.some(({ plan: shown }) => shown.grasp?.contacts);
-  page.options.meshes.parentElement.hidden = !players.some(({ robot }) => robot.meshes);
+  page.options.contacts.parentElement.hidden = !shownPlans.some(({ plan: shown }) => shown.grasp?.contacts);
+  page.options.meshes.parentElement.hidden = !shownPlans.some(({ robot }) => robot.meshes);
   const bands = bandsOf(plan);
   page.timeline.show(range, bands);
-  page.scene?.show(players);
-  page.readings.show(players[0]);
-  state.time = Number.isFinite(time) ? Math.min(range.end, Math.max(range.begin, time)) : firstTime(plan);
-  showNow();
-  page.plots.show(plotsOf(players), bands);
+  page.scene?.show(shownPlans);
+  page.readings.show(shownPlans[0]);
+  state.time = Number.isFinite(time) ? Math.min(range.end, Math.max(range.begin, time)) : initialTime(plan);
+  showInstant();
+  page.plots.show(plotsOf(shownPlans), bands);
 }
 
 export function closeMovement() {
   stopClock();
-  ++opened;
+  ++openCount;
   page?.plots.clear();
-  players = [];
+  shownPlans = [];
 }
 
-const hasGhost = ({ plan }) => plan.mapped &&
+const isPathChanged = ({ plan }) => plan.mapped &&
     plan.motions.some((motion) => isGoalMotion(motion) && motion.origin.values.some((value) => value > 0));
 
-const firstTime = (plan) =>
+const initialTime = (plan) =>
   (plan.worst ? timeOfDemonstration(plan, plan.worst.demonstration_s) : clockRange(plan).begin);
 
 function titleOf(row) {
@@ -108,20 +108,20 @@ const kLimitFigures = [["velocity_ratio", "velocity"], ["acceleration_ratio", "a
                        ["jerk_ratio", "jerk"]];
 
 function figuresOf(row) {
-  const entry = (name, value, whole) =>
-    build("div", {}, build("dt", {}, name), build("dd", { title: whole }, value));
+  const entry = (name, value, exactText) =>
+    build("div", {}, build("dt", {}, name), build("dd", { title: exactText }, value));
   const shown = measures.map((measure) => {
     const value = shownValue(measure, row);
     if (Number.isNaN(value)) return null;
     const text = `${measureText(measure, value)} ${measure.unit}`;
-    return entry(measure.title, text, `${measure.source} = ${measure.of(row)} ${measure.siUnit}`);
+    return entry(measure.title, text, `${measure.source} = ${measure.rawValue(row)} ${measure.siUnit}`);
   });
   for (const [key, name] of kLimitFigures) {
     const value = row.certificate[key];
     if (typeof value === "number")
       shown.push(entry(`${name}, of limit`, `${(100 * value).toFixed(1)} %`, String(value)));
   }
-  return shown.filter((each) => each !== null);
+  return shown.filter((entry) => entry !== null);
 }
 
 function buildPage(host) {
@@ -140,16 +140,16 @@ function buildPage(host) {
         plots),
     build("div", { class: "movement-foot" }, parts.figures, parts.grasp, readings));
   parts.scene = createScene(sceneHost);
-  parts.scene?.onPick(({ player, capsule }) => pickCapsule(players[player], capsule));
+  parts.scene?.onPick(({ planIndex, capsule }) => pickCapsule(shownPlans[planIndex], capsule));
   parts.timeline = createTimeline(timeline);
   parts.plots = createPlots(plots);
   parts.readings = createReadings(readings);
-  on("time", showNow);
-  on("pick", showNow);
+  on("time", showInstant);
+  on("pick", showInstant);
   on("theme", () => {
     parts.scene?.theme();
     parts.plots.theme();
-    showNow();
+    showInstant();
   });
   addEventListener("resize", () => {
     parts.scene?.resize();
@@ -163,11 +163,11 @@ function viewBar(parts) {
   kViews.forEach((name, index) => {
     bar.append(buildButton(name, { title: `key ${index + 1}` }, () => parts.scene?.view(name)));
   });
-  for (const [option, name, checked] of kOptions) {
+  for (const [option, name, checked] of kDisplayOptions) {
     const box = build("input", { type: "checkbox", checked });
     box.addEventListener("change", () => {
       parts.scene?.set(option, box.checked);
-      showNow();
+      showInstant();
     });
     parts.options[option] = box;
     bar.append(build("label", {}, box, ` ${name}`));
@@ -194,9 +194,9 @@ function pickCapsule({ robot }, capsule) {
   if (frame >= 0) pick({ kind: "joint", index: robot.frames[frame].joint });
 }
 
-// Robots of several runs are where they are at the first one's time of the demonstration.
+// The states of all runs at the first one's time of the demonstration.
 function statesNow() {
-  const [first, ...others] = players;
+  const [first, ...others] = shownPlans;
   const own = stateAt(first.plan, first.robot, state.time);
   const rest = others.map(({ plan, robot }) => {
     if (!own || !isGoalMotion(own.motion)) return stateAt(plan, robot, state.time);
@@ -205,21 +205,21 @@ function statesNow() {
   return [own, ...rest];
 }
 
-function wordsOf(now) {
+function instantText(now) {
   if (!now) return "no motion";
   const phases = ["rest", "reach", "preshape", "grasp", "hold", "transport", "return"];
-  const phase = isGoalMotion(now.motion) ? phases[at(now.motion.phase, now.index)] : now.motion.name;
+  const phase = isGoalMotion(now.motion) ? phases[valueAt(now.motion.phase, now.index)] : now.motion.name;
   return `robot ${state.time.toFixed(3)} s · demonstration ${now.demonstration_s.toFixed(3)} s · ${phase}`;
 }
 
-function showNow() {
-  if (players.length === 0) return;
+function showInstant() {
+  if (shownPlans.length === 0) return;
   const states = statesNow();
-  const words = wordsOf(states[0]);
+  const text = instantText(states[0]);
   page.scene?.update(states, state.pick);
-  page.timeline.update(words);
+  page.timeline.update(text);
   page.readings.update(states[0]);
-  page.instant.textContent = words;
+  page.instant.textContent = text;
   if (!clock.playing) keepAddress();
 }
 
@@ -266,10 +266,10 @@ function tick(now) {
   requestAnimationFrame(tick);
 }
 
-// To the next sample shown, or by seconds.
+// Moves the clock to the next or previous sample shown.
 function step(count) {
   stopClock();
-  const times = clips(players[0].plan).flatMap(({ motion, begin }) =>
+  const times = timedMotions(shownPlans[0].plan).flatMap(({ motion, begin }) =>
     Array.from(motion.time.values, (time) => begin + time));
   const eps = 1e-6;
   const next = count > 0 ? times.find((time) => time > state.time + eps)
@@ -282,17 +282,17 @@ function moveBy(seconds) {
   setTime(Math.min(range.end, Math.max(range.begin, state.time + seconds)));
 }
 
-function changeSpeed(by) {
-  const index = Math.min(kSpeeds.length - 1, Math.max(0, kSpeeds.indexOf(clock.speed) + by));
+function changeSpeed(steps) {
+  const index = Math.min(kSpeeds.length - 1, Math.max(0, kSpeeds.indexOf(clock.speed) + steps));
   clock.speed = kSpeeds[index];
   page.speed.value = clock.speed;
 }
 
 const toggle = (box) => { if (!box.parentElement.hidden) box.click(); };
 
-// Keys of the movement's page; whether the key was one of them.
+// Handles a key of the movement's page; false if the key is not one of them.
 export function movementKey(event) {
-  if (players.length === 0) return false;
+  if (shownPlans.length === 0) return false;
   const plain = {
     " ": togglePlay,
     Home: () => moveBy(-Infinity),
@@ -300,7 +300,7 @@ export function movementKey(event) {
     ",": () => changeSpeed(-1),
     ".": () => changeSpeed(1),
     l: () => toggle(page.loop),
-    g: () => toggle(page.options.ghost),
+    g: () => toggle(page.options.mappedPath),
     p: () => toggle(page.options.person),
     c: () => toggle(page.options.capsules),
     ArrowLeft: () => (event.shiftKey ? moveBy(-0.1) : step(-1)),

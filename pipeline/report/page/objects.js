@@ -1,23 +1,23 @@
 // Table, target and obstacles in the 3D view.
-import { at, loadBlock, rowOf } from "./data.js";
+import { loadBlock, rowOf } from "./data.js";
 import { createContactMarks } from "./grasp.js";
-import { place } from "./player.js";
+import { interpolationAt } from "./playback.js";
 import { fixedMesh, meshGeometry, objectGeometry, poseMatrix } from "./shapes.js";
 
-// As recorded, at a time of the demonstration; held before the first and after the last sample.
+// The recorded pose at a time of the demonstration; constant before the first and after the last sample.
 function recordedPose({ time, pose }, demonstration_s) {
-  const { index, next, share } = place(time, demonstration_s);
+  const { index, next, share } = interpolationAt(time, demonstration_s);
   const from = rowOf(pose, index), to = rowOf(pose, next);
   if (share === 0) return poseMatrix(from);
-  const turn = (row) => new THREE.Quaternion(row[4], row[5], row[6], row[3]);
+  const rotation = (row) => new THREE.Quaternion(row[4], row[5], row[6], row[3]);
   return new THREE.Matrix4().compose(
       new THREE.Vector3(...from.slice(0, 3)).lerp(new THREE.Vector3(...to.slice(0, 3)), share),
-      turn(from).slerp(turn(to), share), new THREE.Vector3(1, 1, 1));
+      rotation(from).slerp(rotation(to), share), new THREE.Vector3(1, 1, 1));
 }
 
-// {group, marks (of contacts), pose(state, demonstration_s), wear(pick, nearest, touching)};
-// only: the target alone is shown, as lines.
-export function createObjects({ plan, robot, target }, materials, only, onChange) {
+// {group, marks (of contacts), pose(state, demonstration_s), highlight(pick, nearest, touching)};
+// targetOnly: only the target is shown, as lines.
+export function createObjects({ plan, robot, target }, materials, targetOnly, onChange) {
   const group = new THREE.Group();
   const meshes = plan.objects.map(() => null);
   const marks = createContactMarks(plan.grasp?.contacts ?? [], materials.contact);
@@ -26,11 +26,11 @@ export function createObjects({ plan, robot, target }, materials, only, onChange
     const material = isTarget ? materials.target : materials.object;
     const mesh = fixedMesh(geometry, material);
     mesh.userData.material = material;
-    mesh.visible = !only || isTarget;
+    mesh.visible = !targetOnly || isTarget;
     const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 25), materials.edge);
     mesh.add(edges);
-    if (only) mesh.material = materials.none;
-    if (isTarget && !only) mesh.add(marks);
+    if (targetOnly) mesh.material = materials.invisible;
+    if (isTarget && !targetOnly) mesh.add(marks);
     meshes[index] = mesh;
     group.add(mesh);
     onChange();
@@ -44,14 +44,14 @@ export function createObjects({ plan, robot, target }, materials, only, onChange
       plan.objects.forEach((object, index) => {
         const mesh = meshes[index];
         if (!mesh) return;
-        const carried = object.name === target && state ? rowOf(state.motion.object_pose, state.index) : null;
-        if (carried && Number.isFinite(carried[0])) mesh.matrix.copy(poseMatrix(carried));
+        const carriedPose = object.name === target && state ? rowOf(state.motion.object_pose, state.index) : null;
+        if (carriedPose && Number.isFinite(carriedPose[0])) mesh.matrix.copy(poseMatrix(carriedPose));
         else mesh.matrix.copy(recordedPose(object, demonstration_s));
         mesh.matrixWorldNeedsUpdate = true;
       });
     },
-    wear(pick, nearest, touching) {
-      if (only) return;
+    highlight(pick, nearest, touching) {
+      if (targetOnly) return;
       meshes.forEach((mesh, index) => {
         if (!mesh) return;
         const body = robot.capsules.length + index;

@@ -1,21 +1,21 @@
-// The first page: what was run, how it went, distributions that select, and a table of all plans.
-import { report, rows } from "./data.js";
-import { differenceColumns, partners, planColumns } from "./columns.js";
+// The first page: counts, distributions that select plans, a table of all plans, and the runs.
+import { differenceColumns, partnerRows, planColumns } from "./columns.js";
 import { buildCounts } from "./counts.js";
+import { report, rows } from "./data.js";
 import { build, buildButton } from "./elements.js";
 import { clearFilter, countPassing, filter, filterAddress, isFiltered, passing, setFilter } from "./filter.js";
+import { countText, plainText } from "./format.js";
 import { buildHistogram } from "./histogram.js";
 import { measures } from "./measures.js";
 import { buildRuns } from "./runs.js";
 import { addressOf, on, state } from "./state.js";
 import { buildTable, sortItems } from "./table.js";
-import { counted, plainText } from "./words.js";
 
-let items = rows.map((_, index) => index);
-let parts = null;
+let shownItems = rows.map((_, index) => index);
+let elements = null;
 
 // Indices into rows, in the order of the table.
-export const shownRows = () => items;
+export const shownRows = () => shownItems;
 
 const kPlanColumns = planColumns();
 let differences = { columns: [], partner: [], before: -1, after: -1 };
@@ -24,17 +24,17 @@ function columnsNow() {
   if (!filter.differences) return kPlanColumns;
   const { before, after } = filter;
   if (differences.before !== before || differences.after !== after) {
-    const partner = partners(before, after);
+    const partner = partnerRows(before, after);
     differences = { columns: differenceColumns(partner), partner, before, after };
   }
   return differences.columns;
 }
 
 function sortBy(column) {
-  const again = filter.sort === column.id;
-  // Once up, once down, then as in the file.
-  if (again && filter.descending) setFilter({ sort: "", descending: false });
-  else setFilter({ sort: column.id, descending: again });
+  const isSameColumn = filter.sort === column.id;
+  // Ascending, then descending, then the order of the file.
+  if (isSameColumn && filter.descending) setFilter({ sort: "", descending: false });
+  else setFilter({ sort: column.id, descending: isSameColumn });
 }
 
 const openRow = (row) => { location.hash = addressOf(rows, row); };
@@ -44,10 +44,10 @@ function buildTools() {
     "aria-label": "Search", spellcheck: "false" });
   search.addEventListener("input", () => setFilter({ search: search.value }));
   const shown = build("output", { class: "shown-count" });
-  const all = buildButton("show all", { class: "quiet" }, clearFilter);
-  const tools = build("div", { class: "bar tools" }, search, shown, all);
+  const showAll = buildButton("show all", { class: "quiet" }, clearFilter);
+  const tools = build("div", { class: "bar tools" }, search, shown, showAll);
   if (report.runs.length > 1) tools.append(...buildComparison());
-  return { tools, search, shown, all };
+  return { tools, search, shown, showAll };
 }
 
 function buildComparison() {
@@ -83,24 +83,24 @@ function buildOverview(host) {
 
 function showFiltered() {
   const columns = columnsNow();
-  const kept = filter.differences ? (i) => passing[i] && differences.partner[i] >= 0 : (i) => passing[i];
-  items = rows.map((_, index) => index).filter(kept);
+  const isKept = filter.differences ? (i) => passing[i] && differences.partner[i] >= 0 : (i) => passing[i];
+  shownItems = rows.map((_, index) => index).filter(isKept);
   const sorted = columns.find(({ id }) => id === filter.sort);
-  if (sorted) sortItems(items, sorted, filter.descending, rows.length);
-  if (!parts) return;
-  if (parts.columns !== columns) {
-    parts.columns = columns;
-    parts.table.setColumns(columns);
+  if (sorted) sortItems(shownItems, sorted, filter.descending, rows.length);
+  if (!elements) return;
+  if (elements.columns !== columns) {
+    elements.columns = columns;
+    elements.table.setColumns(columns);
   }
-  parts.table.show(items, sorted, filter.descending);
-  parts.counts.update();
-  parts.histograms.forEach((histogram) => histogram.update());
-  const { search, shown, all } = parts.tools;
+  elements.table.show(shownItems, sorted, filter.descending);
+  elements.counts.update();
+  elements.histograms.forEach((histogram) => histogram.update());
+  const { search, shown, showAll } = elements.tools;
   if (search.value !== filter.search) search.value = filter.search;
-  const count = filter.differences ? items.length : countPassing();
+  const count = filter.differences ? shownItems.length : countPassing();
   shown.textContent = isFiltered() || filter.differences
-    ? `${count.toLocaleString("en")} of ${counted(rows.length, "plan")}` : counted(rows.length, "plan");
-  all.hidden = !isFiltered();
+    ? `${count.toLocaleString("en")} of ${countText(rows.length, "plan")}` : countText(rows.length, "plan");
+  showAll.hidden = !isFiltered();
   if (state.row === null) keepFilterAddress();
 }
 
@@ -116,9 +116,9 @@ function keepFilterAddress() {
 on("filter", showFiltered);
 
 export function openOverview(host, row) {
-  parts ??= buildOverview(host);
+  elements ??= buildOverview(host);
   showFiltered();
-  if (row !== null) parts.table.focusItem(row);
+  if (row !== null) elements.table.focusItem(row);
 }
 
-export const focusSearch = () => parts?.tools.search.focus();
+export const focusSearch = () => elements?.tools.search.focus();

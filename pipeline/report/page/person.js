@@ -1,9 +1,9 @@
 // The person's arm and hand in the 3D view, where they were seen.
-import { ballGeometry, boneGeometry, fixedMesh, placeBone, pointBetween } from "./shapes.js";
+import { ballGeometry, boneGeometry, fixedMesh, interpolatePoint, placeBone } from "./shapes.js";
 
 const kUpperArm_m = 0.042, kForearm_m = 0.034, kPalm_m = 0.009, kFinger_m = 0.0075;
 
-// {group, pose(human)}: human = {index, next, share} among the frames of plan.human.
+// {group, pose(interpolation)}: {index, next, share} among the frames of plan.human.
 export function createPerson(plan, robot, material) {
   const group = new THREE.Group();
   const bone = boneGeometry();
@@ -24,20 +24,20 @@ export function createPerson(plan, robot, material) {
   const { human } = plan;
   return {
     group,
-    pose(when) {
-      const of = (table, column = 0) => pointBetween(table, when, column);
-      const [shoulder, elbow, wrist] = [of(human.shoulder), of(human.elbow), of(human.wrist)];
+    pose(interpolation) {
+      const pointIn = (table, column = 0) => interpolatePoint(table, interpolation, column);
+      const [shoulder, elbow, wrist] = [human.shoulder, human.elbow, human.wrist].map((table) => pointIn(table));
       placeBone(upperArm, shoulder, elbow, kUpperArm_m);
       placeBone(forearm, elbow, wrist, kForearm_m);
-      [shoulder, elbow, wrist].forEach((place, index) => {
-        joints[index].visible = Number.isFinite(place.x);
-        if (joints[index].visible) joints[index].position.copy(place);
+      [shoulder, elbow, wrist].forEach((position, index) => {
+        joints[index].visible = Number.isFinite(position.x);
+        if (joints[index].visible) joints[index].position.copy(position);
       });
       fingers.forEach(({ palm, finger, tip }, index) => {
-        const middle = of(human.fingers, index);
+        const middle = pointIn(human.fingers, index);
         placeBone(palm, wrist, middle, kPalm_m);
         finger.visible = tip >= 0;
-        if (tip >= 0) placeBone(finger, Number.isFinite(middle.x) ? middle : wrist, of(human.tips, tip), kFinger_m);
+        if (tip >= 0) placeBone(finger, Number.isFinite(middle.x) ? middle : wrist, pointIn(human.tips, tip), kFinger_m);
       });
     },
   };

@@ -1,18 +1,18 @@
-// A robot in the 3D view: its capsules as they are checked, its meshes, its tips.
+// A robot in the 3D view: the capsules that are checked, meshes and tips.
 import { loadBlock } from "./data.js";
-import { forward, jointOf, tipPlace } from "./kinematics.js";
-import { ballGeometry, between, boneGeometry, capsuleGeometry, fixedMesh, meshGeometry, placeBone } from "./shapes.js";
+import { forward, jointOf, tipPosition } from "./kinematics.js";
+import { ballGeometry, boneGeometry, capsuleGeometry, fixedMesh, meshGeometry, placeBone, poseBetween } from "./shapes.js";
 
 const vectorOf = (numbers) => new THREE.Vector3(...numbers);
 
 const capsuleMesh = ({ from, to, radius }, material) => {
   const [a, b] = [vectorOf(from), vectorOf(to)];
   const mesh = fixedMesh(capsuleGeometry(radius, a.distanceTo(b)), material);
-  return { mesh, local: between(a, b) };
+  return { mesh, local: poseBetween(a, b) };
 };
 
-// {group, capsulesGroup, meshesGroup, pose(q) → base_from_frame of every frame, wear(pick, nearest,
-// touching)}; materials: {plain, picked, near, touching, mesh, tip}
+// {group, capsulesGroup, meshesGroup, pose(q) → base_from_frame of every frame, highlight(pick,
+// nearest, touching)}; materials: {plain, picked, near, touching, mesh, tip}
 export function createRobotModel(robot, materials, onChange) {
   const group = new THREE.Group();
   const capsulesGroup = new THREE.Group(), meshesGroup = new THREE.Group(), tipsGroup = new THREE.Group();
@@ -36,7 +36,7 @@ export function createRobotModel(robot, materials, onChange) {
   };
   if (materials.mesh) (robot.meshes ?? []).forEach(addMesh);
   let poses = [];
-  const put = (mesh, matrix) => {
+  const setMatrix = (mesh, matrix) => {
     mesh.matrix.copy(matrix);
     mesh.matrixWorldNeedsUpdate = true;
   };
@@ -49,12 +49,12 @@ export function createRobotModel(robot, materials, onChange) {
         mesh.matrix.multiplyMatrices(poses[frame], local);
         mesh.matrixWorldNeedsUpdate = true;
       });
-      for (const { mesh, frame } of meshes) put(mesh, poses[frame]);
-      tips.forEach((ball, index) => ball.position.copy(tipPlace(robot.tips[index], poses)));
+      for (const { mesh, frame } of meshes) setMatrix(mesh, poses[frame]);
+      tips.forEach((ball, index) => ball.position.copy(tipPosition(robot.tips[index], poses)));
       return poses;
     },
-    // What is picked, nearest and touching wears a material of its own.
-    wear(pick, nearest, touching) {
+    // Picked, nearest and touching bodies get a material of their own.
+    highlight(pick, nearest, touching) {
       const isPicked = (index) => (pick?.kind === "joint" && jointOf(robot, robot.capsules[index].frame) === pick.index) ||
           (pick?.kind === "finger" && robot.capsules[index].frame === robot.tips[pick.index]?.frame) ||
           (pick?.kind === "pair" && (pick.first === index || pick.second === index));
@@ -75,8 +75,8 @@ export function createRobotModel(robot, materials, onChange) {
     if (pick?.kind !== "joint") return;
     const frame = robot.frames.findIndex(({ joint }) => joint === pick.index);
     if (frame < 0 || !poses[frame]) return;
-    const along = vectorOf(robot.frames[frame].axis).transformDirection(poses[frame]).multiplyScalar(0.12);
+    const offset = vectorOf(robot.frames[frame].axis).transformDirection(poses[frame]).multiplyScalar(0.12);
     const origin = new THREE.Vector3().setFromMatrixPosition(poses[frame]);
-    placeBone(axis, origin.clone().sub(along), origin.clone().add(along), 0.003);
+    placeBone(axis, origin.clone().sub(offset), origin.clone().add(offset), 0.003);
   }
 }

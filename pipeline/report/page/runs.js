@@ -1,7 +1,7 @@
-// What was run: files, versions, hashes, configs.
+// The runs: files, versions, hashes, configs.
 import { report, rows } from "./data.js";
 import { build, buildButton, buildName, runClass } from "./elements.js";
-import { counted, plainText, shortText } from "./words.js";
+import { countText, plainText, shortText } from "./format.js";
 
 function selectText(element) {
   const range = document.createRange();
@@ -10,8 +10,8 @@ function selectText(element) {
   getSelection().addRange(range);
 }
 
-// Where the clipboard is out of reach, the whole text stays selected for the user to copy.
-async function copyFrom(element, text, button) {
+// If the clipboard is not accessible, the text stays selected for the user to copy.
+async function copyText(element, text, button) {
   element.textContent = text;
   selectText(element);
   let copied = true;
@@ -24,10 +24,10 @@ async function copyFrom(element, text, button) {
 }
 
 function buildHash(hash) {
-  const whole = plainText(hash ?? "");
-  const code = build("code", { title: whole }, whole.slice(0, 12));
+  const fullHash = plainText(hash ?? "");
+  const code = build("code", { title: fullHash }, fullHash.slice(0, 12));
   const button = buildButton("copy", { class: "quiet", "aria-label": "copy the whole hash" },
-      () => copyFrom(code, whole, button));
+      () => copyText(code, fullHash, button));
   return build("span", { class: "hash" }, code, button);
 }
 
@@ -41,7 +41,7 @@ function uncheckedOf(run, index) {
 }
 
 function shownWords({ plans, shown }) {
-  return shown === plans ? `${counted(plans, "plan")}, all shown` : `${shown} of ${counted(plans, "plan")} shown`;
+  return shown === plans ? `${countText(plans, "plan")}, all shown` : `${shown} of ${countText(plans, "plan")} shown`;
 }
 
 const configText = (config) => (config ?? "").split("\n").map(plainText).join("\n");

@@ -1,21 +1,21 @@
-// What the plots beside the 3D view show: tables of numbers over the clock.
-import { at } from "./data.js";
-import { clips, isGoalMotion, stateAt, timeOfDemonstration } from "./player.js";
+// The values of the plots beside the 3D view: tables of numbers over the clock.
+import { valueAt } from "./data.js";
+import { isGoalMotion, stateAt, timedMotions, timeOfDemonstration, tipTolerance } from "./playback.js";
 
-// {title, unit, names, kind of what a series stands for, rows: [[time, value…]], limits: [lines]}
+// {title, unit, series: [{name, pick, isReference}], rows: [[time, value…]], limits: [low, high]}
 const plotOf = (title, unit, series, rows, more = {}) => ({ title, unit, series, rows, ...more });
 
-// One row a sample of all motions; null: nothing there.
-function overMotions(plan, count, valueAt) {
+// One row per sample of all motions; null: no value.
+function rowsOverMotions(plan, count, seriesValue) {
   const rows = [];
-  for (const { motion, begin } of clips(plan)) {
+  for (const { motion, begin } of timedMotions(plan)) {
     for (let k = 0; k < motion.time.rows; ++k) {
-      const row = [begin + at(motion.time, k)];
+      const row = [begin + valueAt(motion.time, k)];
       for (let i = 0; i < count; ++i) {
-        const value = valueAt(motion, k, i);
+        const value = seriesValue(motion, k, i);
         row.push(Number.isFinite(value) ? value : null);
       }
-      // dygraphs wants times that rise.
+      // dygraphs needs increasing times.
       if (rows.length === 0 || row[0] > rows[rows.length - 1][0]) rows.push(row);
     }
   }
@@ -27,86 +27,77 @@ const shareOfRange = ({ lower, upper }, q) => 100 * (q - lower) / (upper - lower
 function jointPlots({ plan, robot }) {
   const joints = robot.joints;
   const series = joints.map(({ name }, index) => ({ name, pick: { kind: "joint", index } }));
-  const share = (table) => (motion, k, j) => (motion[table] ? 100 * at(motion[table], k, j) : NaN);
-  const plot = (title, unit, limits, value) =>
-      plotOf(title, unit, series, overMotions(plan, joints.length, value), { limits });
-  const plots = [plot("Joint positions", "% of range", [0, 100],
-      (motion, k, j) => shareOfRange(joints[j], at(motion.position, k, j)))];
+  const share = (table) => (motion, k, j) => (motion[table] ? 100 * valueAt(motion[table], k, j) : NaN);
+  const jointPlot = (title, unit, limits, value) =>
+      plotOf(title, unit, series, rowsOverMotions(plan, joints.length, value), { limits });
+  const plots = [jointPlot("Joint positions", "% of range", [0, 100],
+      (motion, k, j) => shareOfRange(joints[j], valueAt(motion.position, k, j)))];
   if (plan.motions.some((motion) => motion.velocity)) {
     for (const [title, table] of [["Velocity", "velocity"], ["Acceleration", "acceleration"], ["Jerk", "jerk"]]) {
-      plots.push(plot(title, "% of limit", [-100, 100], share(table)));
+      plots.push(jointPlot(title, "% of limit", [-100, 100], share(table)));
     }
   }
   return plots;
 }
 
-const kGrasping = [3, 4]; // phases grasp and hold
-
 function tipPlot({ plan, robot, row }) {
-  const { tracking_tolerance, tracking_tolerance_grasp } = row.tolerances;
   const series = robot.tips.map(({ name }, index) => ({ name, pick: { kind: "finger", index } }));
-  series.push({ name: "tolerance", line: true });
+  series.push({ name: "tolerance", isReference: true });
   const tips = robot.tips.length;
-  return plotOf("Fingertip error", "mm", series, overMotions(plan, tips + 1, (motion, k, i) => {
+  return plotOf("Fingertip error", "mm", series, rowsOverMotions(plan, tips + 1, (motion, k, i) => {
     if (!motion.tip_error) return NaN;
-    if (i < tips) return 1e3 * at(motion.tip_error, k, i);
-    return 1e3 * (kGrasping.includes(at(motion.phase, k)) ? tracking_tolerance_grasp : tracking_tolerance);
+    return 1e3 * (i < tips ? valueAt(motion.tip_error, k, i) : tipTolerance(row, motion, k));
   }));
 }
 
-// A number of another run at the same instants of the demonstration.
-function ofOthers(players, first, value) {
-  return players.slice(1).map((player) => {
-    const table = new Map();
-    return (motion, k) => {
-      if (!isGoalMotion(motion)) return NaN;
-      const demonstration_s = at(motion.demonstration_time, k);
-      const state = stateAt(player.plan, player.robot, timeOfDemonstration(player.plan, demonstration_s));
-      return state ? value(state.motion, state.index) : NaN;
-    };
+// The values of the other runs at the same instants of the demonstration.
+function valuesOfOtherRuns(shownPlans, value) {
+  return shownPlans.slice(1).map(({ plan, robot }) => (motion, k) => {
+    if (!isGoalMotion(motion)) return NaN;
+    const demonstration_s = valueAt(motion.demonstration_time, k);
+    const state = stateAt(plan, robot, timeOfDemonstration(plan, demonstration_s));
+    return state ? value(state.motion, state.index) : NaN;
   });
 }
 
-function plotOfRuns(players, title, unit, own, value, more = {}) {
-  const others = ofOthers(players, players[0], value);
-  const label = players.length > 1 ? players[0].label : "robot";
-  const series = [{ name: label }, ...players.slice(1).map((player) => ({ name: player.label })),
-                  ...own.map(({ name, line }) => ({ name, line }))];
-  const columns = [value, ...others, ...own.map(({ value: of }) => of)];
+// A quantity of all runs, with further series of the first one's plan or person.
+function plotOfRuns(shownPlans, title, unit, furtherSeries, value) {
+  const [first, ...others] = shownPlans;
+  const series = [{ name: others.length > 0 ? first.label : "robot" }, ...others.map(({ label }) => ({ name: label })),
+                  ...furtherSeries];
+  const columns = [value, ...valuesOfOtherRuns(shownPlans, value), ...furtherSeries.map((further) => further.value)];
   return plotOf(title, unit, series,
-      overMotions(players[0].plan, columns.length, (motion, k, i) => columns[i](motion, k)), more);
+      rowsOverMotions(first.plan, columns.length, (motion, k, i) => columns[i](motion, k)));
 }
 
-export function plotsOf(players) {
-  const [first] = players;
+export function plotsOf(shownPlans) {
+  const [first] = shownPlans;
   const { plan, row } = first;
   if (plan.motions.length === 0) return [];
-  const atDemonstration = (table, of) => (motion, k) => {
+  const frameValue = (table) => (motion, k) => {
     if (!table || !isGoalMotion(motion)) return NaN;
-    const frame = nearestFrame(plan.human.time, at(motion.demonstration_time, k));
-    return of(frame);
+    return valueAt(table, nearestFrame(plan.human.time, valueAt(motion.demonstration_time, k)));
   };
-  const human = { name: "person", value: atDemonstration(plan.human.speed, (f) => at(plan.human.speed, f)) };
-  const mapped = { name: "mapped", line: true,
-                   value: atDemonstration(plan.mapped, (f) => at(plan.mapped.humanlikeness, f, 0)) };
-  const margin = { name: "minimum", line: true, value: () => 1e3 * row.tolerances.required_clearance };
+  const human = { name: "person", value: frameValue(plan.human.speed) };
+  const mapped = { name: "mapped", isReference: true, value: frameValue(plan.mapped?.humanlikeness) };
+  const minimum = { name: "minimum", isReference: true, value: () => 1e3 * row.tolerances.required_clearance };
   const clearance = (motion, k) =>
-      1e3 * (motion.clearance ? at(motion.clearance, k) : at(motion.nearest.distance, k));
+      1e3 * (motion.clearance ? valueAt(motion.clearance, k) : valueAt(motion.nearest.distance, k));
   const plots = [
     tipPlot(first),
-    plotOfRuns(players, "Clearance", "mm", [margin], clearance),
-    plotOfRuns(players, "Tip speed", "m/s", [human], (motion, k) => (motion.speed ? at(motion.speed, k) : NaN)),
-    plotOfRuns(players, "Distance from the person's arm (A)", "m²", [mapped],
-        (motion, k) => (motion.humanlikeness ? at(motion.humanlikeness, k) : NaN)),
+    plotOfRuns(shownPlans, "Clearance", "mm", [minimum], clearance),
+    plotOfRuns(shownPlans, "Tip speed", "m/s", [human], (motion, k) => (motion.speed ? valueAt(motion.speed, k) : NaN)),
+    plotOfRuns(shownPlans, "Distance from the person's arm (A)", "m²", [mapped],
+        (motion, k) => (motion.humanlikeness ? valueAt(motion.humanlikeness, k) : NaN)),
     ...jointPlots(first),
   ];
-  return plots.filter(({ rows }) => rows.some((each) => each.slice(1).some((value) => value !== null)));
+  return plots.filter(({ rows }) => rows.some((row) => row.slice(1).some((value) => value !== null)));
 }
 
 function nearestFrame(times, time) {
   let best = 0;
   for (let f = 1; f < times.rows; ++f) {
-    if (Math.abs(at(times, f) - time) < Math.abs(at(times, best) - time)) best = f;
+    if (Math.abs(valueAt(times, f) - time) < Math.abs(valueAt(times, best) - time)) best = f;
   }
   return best;
 }

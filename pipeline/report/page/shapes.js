@@ -1,28 +1,28 @@
 // Bodies of the 3D view: capsules, objects, bones, lines.
-import { at, rowOf } from "./data.js";
+import { rowOf, valueAt } from "./data.js";
 
-const kAround = 14, kCap = 5;
+const kSegmentsAround = 14, kSegmentsPerCap = 5;
 const kUp = new THREE.Vector3(0, 0, 1);
 
 // Straight part of the given length along z, its middle in the origin.
 export function capsuleGeometry(radius, length) {
   const outline = [];
-  for (let i = 0; i <= 2 * kCap + 1; ++i) {
-    const upper = i > kCap;
-    const angle = -Math.PI / 2 + (upper ? i - 1 : i) / (2 * kCap) * Math.PI;
+  for (let i = 0; i <= 2 * kSegmentsPerCap + 1; ++i) {
+    const upper = i > kSegmentsPerCap;
+    const angle = -Math.PI / 2 + (upper ? i - 1 : i) / (2 * kSegmentsPerCap) * Math.PI;
     outline.push(new THREE.Vector2(Math.max(0, radius * Math.cos(angle)),
         radius * Math.sin(angle) + (upper ? length / 2 : -length / 2)));
   }
-  return new THREE.LatheBufferGeometry(outline, kAround).rotateX(Math.PI / 2);
+  return new THREE.LatheBufferGeometry(outline, kSegmentsAround).rotateX(Math.PI / 2);
 }
 
 // Turns z into the direction of `to - from`, origin in the middle.
-export function between(from, to) {
+export function poseBetween(from, to) {
   const along = to.clone().sub(from);
   const length = along.length();
-  const turn = new THREE.Quaternion();
-  if (length > 1e-9) turn.setFromUnitVectors(kUp, along.divideScalar(length));
-  return new THREE.Matrix4().compose(from.clone().add(to).multiplyScalar(0.5), turn,
+  const rotation = new THREE.Quaternion();
+  if (length > 1e-9) rotation.setFromUnitVectors(kUp, along.divideScalar(length));
+  return new THREE.Matrix4().compose(from.clone().add(to).multiplyScalar(0.5), rotation,
       new THREE.Vector3(1, 1, 1));
 }
 
@@ -31,7 +31,7 @@ export function placeBone(mesh, from, to, radius) {
   const length = from.distanceTo(to);
   mesh.visible = length > 1e-6; // NaN: not seen
   if (!mesh.visible) return;
-  mesh.matrix.copy(between(from, to)).scale(new THREE.Vector3(radius, radius, length));
+  mesh.matrix.copy(poseBetween(from, to)).scale(new THREE.Vector3(radius, radius, length));
   mesh.matrixWorldNeedsUpdate = true;
 }
 
@@ -69,10 +69,10 @@ export const poseMatrix = ([x, y, z, qw, qx, qy, qz]) => new THREE.Matrix4().com
 
 // set() keeps NaN, the constructor makes 0 of it.
 export const pointOf = (table, row, index = 0) =>
-  new THREE.Vector3().set(at(table, row, 3 * index), at(table, row, 3 * index + 1), at(table, row, 3 * index + 2));
+  new THREE.Vector3().set(valueAt(table, row, 3 * index), valueAt(table, row, 3 * index + 1), valueAt(table, row, 3 * index + 2));
 
 // Between two rows; where only one of them was seen, that one.
-export function pointBetween(table, { index, next, share }, column = 0) {
+export function interpolatePoint(table, { index, next, share }, column = 0) {
   const from = pointOf(table, index, column), to = pointOf(table, next, column);
   if (!Number.isFinite(from.x)) return to;
   return Number.isFinite(to.x) ? from.lerp(to, share) : from;
@@ -98,7 +98,7 @@ export function crossGeometry(points, size) {
   return new THREE.BufferGeometry().setFromPoints(corners);
 }
 
-// Diagonal stripes, for what must not be told by its colour alone.
+// Diagonal stripes, for bodies that must not be distinguished by colour alone.
 export function stripes(front, back) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 32;

@@ -1,4 +1,4 @@
-// What is open, picked and shown, and who wants to know when it changes.
+// The open movement, the time and the selection, and listeners to their changes.
 //
 //   event     when
 //   "open"    another movement is opened, or the first page (row null)
@@ -31,37 +31,37 @@ export function setTime(time) {
 
 const samePick = (a, b) => JSON.stringify(a) === JSON.stringify(b);
 
-// Picking what is picked already lets go of it.
-export function pick(what) {
-  state.pick = samePick(state.pick, what) ? null : what;
+// Picks a joint, fingertip or pair; picking it again releases it.
+export function pick(selection) {
+  state.pick = samePick(state.pick, selection) ? null : selection;
   emit("pick");
 }
 
-// A movement's address: #<plan>/<time on the clock>, of several runs #<run>:<plan>/<time>; without
-// a time it opens where there is most to see.
+// A movement's address: #<plan>/<time on the clock>, of several runs #<run>:<plan>/<time>; without a
+// time it opens at the worst instant or the beginning.
 export function addressOf(rows, index, time = null) {
   const { run, plan } = rows[index];
-  const several = rows.some((row) => row.run !== 0);
+  const hasSeveralRuns = rows.some((row) => row.run !== 0);
   const name = plan.split("/").map(encodeURIComponent).join("/");
-  return `#${several ? `${run}:` : ""}${name}${time === null ? "" : `/${time.toFixed(3)}`}`;
+  return `#${hasSeveralRuns ? `${run}:` : ""}${name}${time === null ? "" : `/${time.toFixed(3)}`}`;
 }
 
 // {row, time} of an address, null if it names no movement. A demonstration's name may have slashes.
 export function readAddress(rows, hash) {
-  const found = /^#(?:(\d+):)?(.+)$/.exec(hash);
-  if (!found) return null;
-  const run = Number(found[1] ?? 0);
-  const rowNamed = (name) => {
+  const match = /^#(?:(\d+):)?(.+)$/.exec(hash);
+  if (!match) return null;
+  const run = Number(match[1] ?? 0);
+  const rowIndexOf = (name) => {
     try {
       const plan = decodeURIComponent(name);
-      return rows.findIndex((each) => each.run === run && each.plan === plan);
+      return rows.findIndex((row) => row.run === run && row.plan === plan);
     } catch {
       return -1; // not an address that this page wrote
     }
   };
-  const whole = rowNamed(found[2]);
-  if (whole >= 0) return { row: whole, time: NaN };
-  const timed = /^(.+)\/(-?[\d.]+)?$/.exec(found[2]);
-  const row = timed ? rowNamed(timed[1]) : -1;
+  const untimed = rowIndexOf(match[2]);
+  if (untimed >= 0) return { row: untimed, time: NaN };
+  const timed = /^(.+)\/(-?[\d.]+)?$/.exec(match[2]);
+  const row = timed ? rowIndexOf(timed[1]) : -1;
   return row < 0 ? null : { row, time: Number(timed[2] ?? NaN) };
 }

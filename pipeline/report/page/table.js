@@ -1,27 +1,27 @@
-// A table of many rows, of which only those in sight are elements. Columns are
-// {id, title, unit, hint, number, width [rem], key(item) → number or text, fill(cell, item)}.
+// A table of many rows, of which only the visible ones are elements. Columns are
+// {id, title, unit, hint, number, width [rem], sortKey(item) → number or text, fill(cell, item)}.
 import { build, buildButton } from "./elements.js";
 
-const kBeyond = 10; // rows drawn above and below those in sight
+const kExtraRows = 10; // rows drawn above and below the visible ones
 const collator = new Intl.Collator("en", { numeric: true });
 
 function ranksOf(texts) {
-  const different = [...new Set(texts)].filter((text) => text !== "").sort(collator.compare);
-  const rankOf = new Map(different.map((text, rank) => [text, rank]));
+  const uniqueTexts = [...new Set(texts)].filter((text) => text !== "").sort(collator.compare);
+  const rankOf = new Map(uniqueTexts.map((text, rank) => [text, rank]));
   return Float64Array.from(texts, (text) => rankOf.get(text) ?? NaN);
 }
 
 // Numbers that order items as a column does; NaN: last in both directions.
 function keysOf(column, itemCount) {
-  const keys = Array.from({ length: itemCount }, (_, item) => column.key(item));
+  const keys = Array.from({ length: itemCount }, (_, item) => column.sortKey(item));
   return column.number ? Float64Array.from(keys) : ranksOf(keys);
 }
 
-const keptKeys = new Map();
+const keysByColumn = new Map();
 
 export function sortItems(items, column, descending, itemCount) {
-  if (!keptKeys.has(column)) keptKeys.set(column, keysOf(column, itemCount));
-  const keys = keptKeys.get(column);
+  if (!keysByColumn.has(column)) keysByColumn.set(column, keysOf(column, itemCount));
+  const keys = keysByColumn.get(column);
   const sign = descending ? -1 : 1;
   return items.sort((a, b) => {
     const x = keys[a], y = keys[b];
@@ -48,14 +48,14 @@ function setSpacer(spacer, height) {
 }
 
 function sizeColumns(table, columns) {
-  const whole = columns.reduce((sum, { width }) => sum + width, 0);
+  const totalWidth = columns.reduce((sum, { width }) => sum + width, 0);
   const cols = columns.map(({ width }) => {
     const col = build("col");
-    col.style.width = `${100 * width / whole}%`;
+    col.style.width = `${100 * width / totalWidth}%`;
     return col;
   });
   table.querySelector("colgroup").replaceChildren(...cols);
-  table.style.minWidth = `${whole}rem`;
+  table.style.minWidth = `${totalWidth}rem`;
 }
 
 // {box, setColumns(columns), show(items, sortedColumn, descending), focusItem(item)}; onOpen(item) when a
@@ -64,7 +64,7 @@ export function buildTable({ label, onOpen, onSort }) {
   const head = build("tr", { "aria-rowindex": 1 });
   const above = buildSpacer(), body = build("tbody"), below = buildSpacer();
   const table = build("table", {
-    class: "many", role: "grid", tabindex: "0", "aria-label": label, "aria-readonly": "true",
+    class: "plan-table", role: "grid", tabindex: "0", "aria-label": label, "aria-readonly": "true",
   }, build("colgroup"), build("thead", {}, head), above, body, below);
   const box = build("div", { class: "table-box" }, table);
   let columns = [], items = [], current = -1, first = 0, last = -1, rowHeight = 30;
@@ -89,27 +89,27 @@ export function buildTable({ label, onOpen, onSort }) {
     else table.removeAttribute("aria-activedescendant");
   };
   const headHeight = () => head.offsetHeight;
-  // Draws if rows came into sight that are not there yet.
-  const follow = (always) => {
+  // Draws if rows became visible that are not elements yet.
+  const drawVisible = (always) => {
     const top = Math.floor(box.scrollTop / rowHeight);
     const bottom = Math.ceil((box.scrollTop + box.clientHeight - headHeight()) / rowHeight);
     if (!always && top >= first && Math.min(bottom, items.length) <= last) return;
-    first = Math.max(0, Math.min(top - kBeyond, items.length));
-    last = Math.max(first, Math.min(items.length, Math.max(bottom, top + 20) + kBeyond));
+    first = Math.max(0, Math.min(top - kExtraRows, items.length));
+    last = Math.max(first, Math.min(items.length, Math.max(bottom, top + 20) + kExtraRows));
     draw();
   };
   const measureRow = () => {
     const height = body.rows[0]?.offsetHeight;
     if (!height || height === rowHeight) return;
     rowHeight = height;
-    follow(true);
+    drawVisible(true);
   };
   const goTo = (position) => {
     current = Math.min(items.length - 1, Math.max(0, position));
-    const top = current * rowHeight, room = box.clientHeight - headHeight() - rowHeight;
+    const top = current * rowHeight, visibleHeight = box.clientHeight - headHeight() - rowHeight;
     if (box.scrollTop > top) box.scrollTop = top;
-    if (box.scrollTop < top - room) box.scrollTop = top - room;
-    follow(true);
+    if (box.scrollTop < top - visibleHeight) box.scrollTop = top - visibleHeight;
+    drawVisible(true);
   };
   const page = () => Math.max(1, Math.floor(box.clientHeight / rowHeight) - 2);
   const keys = {
@@ -135,13 +135,13 @@ export function buildTable({ label, onOpen, onSort }) {
     if (!row || event.target.closest("a") || !getSelection().isCollapsed) return;
     onOpen(items[Number(row.getAttribute("aria-rowindex")) - 2]);
   });
-  box.addEventListener("scroll", () => follow(false), { passive: true });
-  new ResizeObserver(() => { measureRow(); follow(false); }).observe(box);
+  box.addEventListener("scroll", () => drawVisible(false), { passive: true });
+  new ResizeObserver(() => { measureRow(); drawVisible(false); }).observe(box);
   addEventListener("beforeprint", () => {
     [first, last] = [0, items.length];
     draw();
   });
-  addEventListener("afterprint", () => follow(true));
+  addEventListener("afterprint", () => drawVisible(true));
 
   return {
     box,
@@ -161,10 +161,9 @@ export function buildTable({ label, onOpen, onSort }) {
         if (column === sorted) head.cells[k].setAttribute("aria-sort", direction);
         else head.cells[k].removeAttribute("aria-sort");
       });
-      follow(true);
+      drawVisible(true);
       measureRow();
     },
-    toTop() { box.scrollTop = 0; },
     focusItem(item) {
       const position = items.indexOf(item);
       if (position >= 0) goTo(position);

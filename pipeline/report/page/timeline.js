@@ -1,29 +1,26 @@
 // The clock's range under the 3D view: phases, marks, and a slider for hand and keyboard.
-import { at } from "./data.js";
+import { valueAt } from "./data.js";
 import { build, buildButton } from "./elements.js";
-import { clips, isGoalMotion, timeOfDemonstration } from "./player.js";
+import { plainText } from "./format.js";
+import { isGoalMotion, timedMotions, timeOfDemonstration } from "./playback.js";
 import { setTime, state } from "./state.js";
-import { plainText } from "./words.js";
 
-// {kind: "phase" | "origin" | "finding" | "mark", begin, end, name, says} on the plan's clock.
+// {kind: "phase" | "origin" | "finding" | "mark", begin, end, name, description} on the plan's clock.
 export function bandsOf(plan) {
   const bands = [];
-  const add = (kind, from, to, name, says) => bands.push({ kind, begin: from, end: to, name, says });
+  const add = (kind, from, to, name, description) => bands.push({ kind, begin: from, end: to, name, description });
   const onClock = (demonstration_s) => timeOfDemonstration(plan, demonstration_s);
-  for (const { motion, begin, end } of clips(plan)) {
+  for (const { motion, begin, end } of timedMotions(plan)) {
     if (!isGoalMotion(motion)) add("phase", begin, end, motion.name, `${motion.name}, planned`);
   }
   for (const { name, begin_s, end_s, confidence } of plan.phases) {
-    const says = `${name}, ${begin_s.toFixed(2)} to ${end_s.toFixed(2)} s of the demonstration, ` +
+    const description = `${name}, ${begin_s.toFixed(2)} to ${end_s.toFixed(2)} s of the demonstration, ` +
         `confidence ${Math.round(100 * confidence)} %`;
-    if (name !== "rest") add("phase", onClock(begin_s), onClock(end_s), name, says, confidence);
+    if (name !== "rest") add("phase", onClock(begin_s), onClock(end_s), name, description);
   }
-  for (const clip of clips(plan)) addOrigins(clip, add);
-  for (const { begin_s, end_s, cause, subject, other_body, excess } of plan.findings) {
-    const pair = other_body === "" ? subject : `${subject} – ${other_body}`;
-    add("finding", onClock(begin_s), onClock(end_s), cause,
-        `before repair: ${cause}, ${plainText(pair)}, ${excess.toPrecision(3)} beyond the limit`);
-  }
+  for (const timedMotion of timedMotions(plan)) addOrigins(timedMotion, add);
+  for (const { begin_s, end_s, cause, sentence } of plan.findings)
+    add("finding", onClock(begin_s), onClock(end_s), cause, `before repair: ${plainText(sentence)}`);
   if (plan.grasp) add("mark", onClock(plan.grasp.demonstration_s), null, "grasp", "the grasp");
   if (plan.worst) add("mark", onClock(plan.worst.demonstration_s), null, "worst", plan.worst.sentence);
   return bands.map((band) => ({ ...band, end: band.end ?? band.begin }));
@@ -32,27 +29,27 @@ export function bandsOf(plan) {
 const kOrigins = ["mapped", "re_solved", "planned"];
 
 function addOrigins({ motion, begin }, add) {
-  const origin = (row) => at(motion.origin, row);
+  const origin = (row) => valueAt(motion.origin, row);
   for (let from = 0; from < motion.time.rows;) {
     let to = from;
     while (to + 1 < motion.time.rows && origin(to + 1) === origin(from)) ++to;
     if (origin(from) > 0 && isGoalMotion(motion)) {
       const name = kOrigins[origin(from)];
-      add("origin", begin + at(motion.time, from), begin + at(motion.time, to), name,
+      add("origin", begin + valueAt(motion.time, from), begin + valueAt(motion.time, to), name,
           `${name} (repair)`);
     }
     from = to + 1;
   }
 }
 
-// What begins at the same time and is called the same is one mark.
+// Bands of one name that begin at the same time share a mark.
 function marksOf(bands) {
   const marks = new Map();
-  for (const { kind, begin, name, says } of bands) {
+  for (const { kind, begin, name, description } of bands) {
     if (kind !== "finding" && kind !== "mark") continue;
     const title = `${name} ${begin.toFixed(2)} s`;
-    if (!marks.has(title)) marks.set(title, { begin, says: [] });
-    marks.get(title).says.push(says);
+    if (!marks.has(title)) marks.set(title, { begin, descriptions: [] });
+    marks.get(title).descriptions.push(description);
   }
   return [...marks];
 }
@@ -76,19 +73,19 @@ export function createTimeline(host) {
       slider.min = range.begin;
       slider.max = range.end;
       bandsHost.replaceChildren(...bands.map((band) => bandElement(band, share)));
-      marks.replaceChildren(...marksOf(bands).map(([name, { begin, says }]) =>
-        buildButton(name, { title: says.join("\n") }, () => setTime(begin))));
+      marks.replaceChildren(...marksOf(bands).map(([name, { begin, descriptions }]) =>
+        buildButton(name, { title: descriptions.join("\n") }, () => setTime(begin))));
     },
-    update(words) {
+    update(text) {
       slider.value = state.time;
-      slider.setAttribute("aria-valuetext", words);
+      slider.setAttribute("aria-valuetext", text);
       cursor.style.left = `${100 * Math.min(1, Math.max(0, share(state.time)))}%`;
     },
   };
 }
 
-function bandElement({ kind, begin, end, name, says }, share) {
-  const element = build("span", { class: `band ${kind} band-${name}`, title: says },
+function bandElement({ kind, begin, end, name, description }, share) {
+  const element = build("span", { class: `band ${kind} band-${name}`, title: description },
       kind === "phase" ? name : "");
   const left = Math.min(1, Math.max(0, share(begin))), right = Math.min(1, Math.max(0, share(end)));
   element.style.left = `${100 * left}%`;

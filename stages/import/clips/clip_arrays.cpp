@@ -10,7 +10,7 @@ namespace {
 using files::NpyArray;
 using files::NpyKind;
 
-std::string wanted_text(std::initializer_list<std::size_t> shape) {
+std::string required_shape_text(std::initializer_list<std::size_t> shape) {
   std::string text;
   for (const std::size_t length : shape) {
     text += text.empty() ? "" : ", ";
@@ -19,30 +19,23 @@ std::string wanted_text(std::initializer_list<std::size_t> shape) {
   return "(" + text + (shape.size() == 1 ? ",)" : ")");
 }
 
-bool fits(const std::vector<std::size_t>& shape, std::initializer_list<std::size_t> wanted) {
-  return std::ranges::equal(shape, wanted, [](std::size_t length, std::size_t as) {
-    return as == ClipArrays::kAnyLength || length == as;
+bool fits(const std::vector<std::size_t>& shape, std::initializer_list<std::size_t> required) {
+  return std::ranges::equal(shape, required, [](std::size_t length, std::size_t required_length) {
+    return required_length == ClipArrays::kAnyLength || length == required_length;
   });
 }
 
-/// Returns a 3×3 matrix whose rows are `row_length` apart, starting at `begin`.
-Eigen::Matrix3d matrix_at(const NpyArray& array, std::size_t begin, std::size_t row_length) {
-  Eigen::Matrix3d matrix;
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    for (Eigen::Index col = 0; col < 3; ++col) {
-      matrix(row, col) = array.values[begin + row * row_length + col];
-    }
-  }
-  return matrix;
-}
-
-Quat rotation_of(const ClipArrays& clip, const NpyArray& array, std::size_t k,
-                 const Eigen::Matrix3d& matrix) {
+/// Returns the rotation in the first three rows and columns of the array's k-th square matrix.
+Quat rotation_of(const ClipArrays& clip, const NpyArray& array, std::size_t k, int size) {
   constexpr double kRotationTolerance = 0.01;
-  if (!matrix.allFinite()) return unknown_rotation();
-  if (!(matrix * matrix.transpose()).isIdentity(kRotationTolerance) || matrix.determinant() < 0) {
-    clip.fail(array.name, fmt::format("matrix {} is not a rotation", k));
+  Eigen::Matrix3d matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col)
+      matrix(row, col) = array.values[k * size * size + row * size + col];
   }
+  if (!matrix.allFinite()) return unknown_rotation();
+  if (!(matrix * matrix.transpose()).isIdentity(kRotationTolerance) || matrix.determinant() < 0)
+    clip.fail(array.name, fmt::format("matrix {} is not a rotation", k));
   return Quat(matrix).normalized();
 }
 
@@ -60,7 +53,7 @@ const NpyArray* ClipArrays::numbers(const std::string& key,
   if (array->kind == NpyKind::text) fail(key, "must contain numbers, not text");
   if (!fits(array->shape, shape)) {
     fail(key, fmt::format("has shape {}, must be {}", files::shape_text(array->shape),
-                          wanted_text(shape)));
+                          required_shape_text(shape)));
   }
   return array;
 }
@@ -92,10 +85,16 @@ std::vector<Vec3> ClipArrays::points(const std::string& key, std::size_t rows) {
   std::vector<Vec3> points;
   const NpyArray* const array = numbers(key, {rows, 3});
   if (array == nullptr) return points;
-  for (std::size_t i = 0; i < array->shape[0]; ++i) {
+  for (std::size_t i = 0; i < array->shape[0]; ++i)
     points.emplace_back(Eigen::Map<const Vec3>(array->values.data() + 3 * i));
-  }
   return points;
+}
+
+void ClipArrays::expect_increasing(const std::string& key, const std::vector<double>& time) const {
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!std::isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1])))
+      fail(key, fmt::format("value {} must be greater than the previous one", i));
+  }
 }
 
 std::vector<std::string> ClipArrays::names_between(const std::string& before,
@@ -103,9 +102,9 @@ std::vector<std::string> ClipArrays::names_between(const std::string& before,
   std::vector<std::string> names;
   for (const NpyArray& array : npz_.arrays) {
     const std::string& key = array.name;
-    if (key.size() <= before.size() + after.size() || !key.starts_with(before)) continue;
-    if (!key.ends_with(after)) continue;
-    names.push_back(key.substr(before.size(), key.size() - before.size() - after.size()));
+    const std::size_t others = before.size() + after.size();
+    if (key.size() <= others || !key.starts_with(before) || !key.ends_with(after)) continue;
+    names.push_back(key.substr(before.size(), key.size() - others));
   }
   return names;
 }
@@ -119,17 +118,16 @@ std::vector<std::string> ClipArrays::unread() const {
 }
 
 Quat clip_rotation(const ClipArrays& clip, const NpyArray& array, std::size_t k) {
-  return rotation_of(clip, array, k, matrix_at(array, 9 * k, 3));
+  return rotation_of(clip, array, k, 3);
 }
 
 Pose clip_pose(const ClipArrays& clip, const NpyArray& array, std::size_t k) {
-  const Quat turn = rotation_of(clip, array, k, matrix_at(array, 16 * k, 4));
-  const double* const first = array.values.data() + 16 * k;
-  if (is_known(turn) &&
-      !(Eigen::Map<const Eigen::Vector4d>(first + 12).isApprox(Eigen::Vector4d::UnitW(), 1e-6))) {
+  const Quat rotation = rotation_of(clip, array, k, 4);
+  const double* const matrix = array.values.data() + 16 * k;
+  const Eigen::Map<const Eigen::Vector4d> last_row(matrix + 12);
+  if (is_known(rotation) && !last_row.isApprox(Eigen::Vector4d::UnitW(), 1e-6))
     clip.fail(array.name, fmt::format("the last row of matrix {} must be 0 0 0 1", k));
-  }
-  return make_pose(Vec3(first[3], first[7], first[11]), turn);
+  return make_pose(Vec3(matrix[3], matrix[7], matrix[11]), rotation);
 }
 
 }  // namespace morphe::imports

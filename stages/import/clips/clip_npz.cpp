@@ -13,11 +13,12 @@
 #include "stages/import/clips/readers.hpp"
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/recording/format.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// Returns true for a key by which a .npz is recognised as a clip: of a hand, a body or an object.
+/// Returns true for a key of a hand, a body or an object, by which a .npz is recognised as a clip.
 bool is_clip_key(const std::string& key) {
   for (const Side side : {Side::right, Side::left}) {
     if (key.starts_with(clip_prefix(side)) || key == spider_key("wrist", side)) return true;
@@ -34,18 +35,16 @@ bool is_clip_key(const std::string& key) {
       keys.empty() ? "nothing" : fmt::format("{}", fmt::join(keys, ", "))));
 }
 
-/// Returns the number of frames of the clip, that of the first of these arrays that exists.
+/// Returns the number of frames of the clip, by the first of the arrays below that exists.
 std::size_t rows_of(ClipArrays& clip) {
   constexpr std::size_t kAny = ClipArrays::kAnyLength;
   if (const auto* const times = clip.numbers("times", {kAny})) return times->shape[0];
   for (const Side side : {Side::right, Side::left}) {
     const std::string prefix = clip_prefix(side);
-    if (const auto* const wrist = clip.numbers(prefix + "wrist_pos", {kAny, 3})) {
+    if (const auto* const wrist = clip.numbers(prefix + "wrist_pos", {kAny, 3}))
       return wrist->shape[0];
-    }
-    if (const auto* const joints = clip.numbers(prefix + "joints", {kAny, kAny, 3})) {
+    if (const auto* const joints = clip.numbers(prefix + "joints", {kAny, kAny, 3}))
       return joints->shape[0];
-    }
   }
   if (const auto* const body = clip.numbers("body_joints", {kAny, kAny, 3})) return body->shape[0];
   fail_as_no_clip(clip.file(), clip.unread());
@@ -61,11 +60,7 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
     const double rate_hz = resolve_rate_hz(in_file, conventions, clip.file(), reports);
     for (std::size_t i = 0; i < rows; ++i) time.push_back(static_cast<double>(i) / rate_hz);
   }
-  for (std::size_t i = 0; i < rows; ++i) {
-    if (!std::isfinite(time[i]) || (i > 0 && !(time[i] > time[i - 1]))) {
-      clip.fail("times", fmt::format("value {} must be greater than the previous one", i));
-    }
-  }
+  clip.expect_increasing("times", time);
   if (rows < 2) throw InputError(fmt::format("{}: has fewer than two frames", clip.file()));
   return time;
 }
@@ -73,64 +68,56 @@ std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventio
 Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_t k) {
   constexpr double kUnitNormTolerance = 1e-3, kUnitNormRounding = 1e-15;
   const double* const q = array.values.data() + 4 * k;  // w, x, y, z
-  const Quat turn(q[0], q[1], q[2], q[3]);
-  if (!is_known(turn)) return unknown_rotation();
-  if (std::abs(turn.norm() - 1) > kUnitNormTolerance) {
-    clip.fail(array.name,
-              fmt::format("quaternion {} has length {:.4g}, must be 1", k, turn.norm()));
-  }
-  return std::abs(turn.norm() - 1) < kUnitNormRounding ? turn : turn.normalized();
+  const Quat rotation(q[0], q[1], q[2], q[3]);
+  if (!is_known(rotation)) return unknown_rotation();
+  const double norm = rotation.norm();
+  if (std::abs(norm - 1) > kUnitNormTolerance)
+    clip.fail(array.name, fmt::format("quaternion {} has length {:.4g}, must be 1", k, norm));
+  return std::abs(norm - 1) < kUnitNormRounding ? rotation : rotation.normalized();
 }
 
 BodyStream read_body(ClipArrays& clip, std::size_t rows, const TrackerFrame& frame) {
-  BodyStream body;
-  body.names = clip.texts("body_joint_names");
+  BodyStream body = unseen_body(clip.texts("body_joint_names"), rows);
   body.parents = clip.texts("body_parents");
   const std::size_t count = body.names.size();
   const auto* const points = clip.numbers("body_joints", {rows, count, 3});
-  const auto* const turns = clip.numbers("body_rotations", {rows, count, 4});
+  const auto* const rotations = clip.numbers("body_rotations", {rows, count, 4});
   const auto* const confidence = clip.numbers("body_confidence", {rows, count});
   if (count > 0 && points == nullptr) clip.fail("body_joints", "is missing");
-  if (!body.parents.empty() && body.parents.size() != count) {
+  if (!body.parents.empty() && body.parents.size() != count)
     clip.fail("body_parents", fmt::format("must have {} names", count));
+  for (const std::string& name : body.names) {
+    if (std::ranges::count(body.names, name) > 1)
+      clip.fail("body_joint_names", fmt::format("'{}' appears twice", name));
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    if (std::ranges::count(body.names, body.names[k]) > 1) {
-      clip.fail("body_joint_names", fmt::format("'{}' appears twice", body.names[k]));
-    }
-  }
-  // Clips written by Morphe are restored bit for bit.
+  // Not rotated or normalised again, so that clips written by Morphe are restored bit for bit.
   const bool in_world = frame.world_from_file == Eigen::Matrix3d::Identity();
-  body.position = Array2D<Vec3>(rows, count, unknown_point());
-  body.orientation = Array2D<Quat>(rows, count, unknown_rotation());
   if (confidence != nullptr) body.confidence = {rows, count, kUnknown};
   for (std::size_t k = 0; k < rows * count; ++k) {
     body.position.values[k] = frame.point(Eigen::Map<const Vec3>(points->values.data() + 3 * k));
-    const Quat turn = turns == nullptr ? unknown_rotation() : quaternion(clip, *turns, k);
-    if (is_known(turn)) body.orientation.values[k] = in_world ? turn : frame.rotation(turn);
     if (confidence != nullptr) body.confidence.values[k] = confidence->values[k];
+    if (rotations == nullptr) continue;
+    const Quat rotation = quaternion(clip, *rotations, k);
+    if (is_known(rotation))
+      body.orientation.values[k] = in_world ? rotation : frame.rotation(rotation);
   }
   return body;
 }
 
-/// Removes the joints of a hand that are also among those of the body, and a hand without other
-/// joints.
+/// Removes the joints of a hand that the body also has, and a hand without other joints.
 void drop_duplicate_joints(HandClip& clip) {
   for (const Side side : {Side::right, Side::left}) {
-    auto& hand = clip.hands[static_cast<std::size_t>(side)];
+    auto& hand = clip.hands[side_index(side)];
     if (!hand) continue;
+    Array2D<Vec3>& joints = hand->keypoints;
     const std::vector<std::string> names = keypoint_names(side);
-    const std::string turned = std::string(name_of(side)) + "_hand";
-    if (std::ranges::find(clip.body.names, turned) != clip.body.names.end())
-      hand->orientation.clear();
-    for (std::size_t k = 0; k < kKeypointCount; ++k) {
-      if (std::ranges::find(clip.body.names, names[k]) == clip.body.names.end()) continue;
-      for (std::size_t i = 0; i < hand->keypoints.rows; ++i)
-        hand->keypoints(i, k) = unknown_point();
+    const std::string hand_name = std::string(name_of(side)) + "_hand";
+    if (name_index(clip.body.names, hand_name) >= 0) hand->orientation.clear();
+    for (int k = 0; k < kKeypointCount; ++k) {
+      if (name_index(clip.body.names, names[k]) < 0) continue;
+      for (std::size_t i = 0; i < joints.rows; ++i) joints(i, k) = unknown_point();
     }
-    const bool all =
-        std::ranges::none_of(hand->keypoints.values, [](const Vec3& p) { return is_known(p); });
-    if (all && !clip.body.names.empty()) hand.reset();
+    if (!any_known(joints.values) && !clip.body.names.empty()) hand.reset();
   }
 }
 
@@ -155,24 +142,22 @@ void read_clip_metadata(ClipArrays& clip, Demonstration& demonstration) {
     if (!phase) clip.fail("label_phases", fmt::format("'{}' is not a phase", phases[k]));
     demonstration.labels.push_back({times->values[2 * k], times->values[2 * k + 1], *phase});
   }
-  for (std::string& report : clip.texts("reports")) {
-    demonstration.import_notes.push_back(std::move(report));
-  }
+  demonstration.import_notes = clip.texts("reports");
 }
 
 std::optional<Side> declared_hand(ClipArrays& clip) {
-  const std::optional<std::string> said = clip.text("hand");
-  const std::optional<Side> side = said ? enum_from_name<Side>(*said) : std::nullopt;
-  if (said && !side) clip.fail("hand", "must be right or left, not '" + *said + "'");
+  const std::optional<std::string> name = clip.text("hand");
+  const std::optional<Side> side = name ? enum_from_name<Side>(*name) : std::nullopt;
+  if (name && !side) clip.fail("hand", "must be right or left, not '" + *name + "'");
   return side;
 }
 
 TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
                       std::vector<std::string>& reports) {
   const std::optional<std::string> axes = clip.text("axes");
-  const char* const because = axes ? "as stated in the clip"
-                                   : "assumed (the clip format); facing direction not in the file";
-  return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"), because,
+  const char* const reason = axes ? "as stated in the clip"
+                                  : "assumed (the clip format); facing direction not in the file";
+  return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"), reason,
                        reports);
 }
 
@@ -190,7 +175,7 @@ std::optional<Side> clip_reaching_side(const std::filesystem::path& file) {
 }
 
 Demonstration read_clip_npz(const RecordingFiles& files) {
-  // The arrays of other files may contain anything, such as Python objects.
+  // Keys are checked first: the arrays of other files may be unreadable, such as Python objects.
   const std::vector<std::string> keys = files::npz_keys(files.file);
   if (std::ranges::none_of(keys, is_clip_key)) fail_as_no_clip(files.file.string(), keys);
   ClipArrays clip(files::read_npz(files.file));
@@ -198,10 +183,9 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   Demonstration demonstration;
   read_clip_metadata(clip, demonstration);
   std::vector<std::string>& reports = demonstration.import_notes;
-  if (const auto said = declared_hand(clip); said && *said != files.hand) {
-    reports.push_back(
-        fmt::format("the clip states that the {} hand reaches; the {} one was requested and used",
-                    name_of(*said), name_of(files.hand)));
+  if (const auto declared = declared_hand(clip); declared && *declared != files.hand) {
+    add_note(reports, "the clip states that the {} hand reaches; the {} one was requested and used",
+             name_of(*declared), name_of(files.hand));
   }
   const TrackerFrame frame = frame_of(clip, files, reports);
   HandClip hands;
@@ -209,16 +193,15 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   hands.time = times_of(clip, rows, files.conventions, reports);
   hands.reconstructed = clip.number("rebuilt").value_or(0) != 0;
   for (const Side side : {Side::right, Side::left}) {
-    hands.hands[static_cast<std::size_t>(side)] =
+    hands.hands[side_index(side)] =
         read_clip_hand(clip, side, rows, frame, hands.reconstructed, files.conventions, reports);
   }
   const bool in_hand = clip.number("in_hand").value_or(0) != 0;
   hands.body = read_body(clip, rows, frame);
   hands.objects = read_clip_objects(clip, hands.time, frame, reports);
-  clip.number("fps");
-  if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
-    reports.push_back(fmt::format("keys skipped, not keys of a clip: {}", fmt::join(unread, ", ")));
-  }
+  clip.number("fps");  // a known key, even if it was not needed
+  if (const std::vector<std::string> unread = clip.unread(); !unread.empty())
+    add_note(reports, "keys skipped, not keys of a clip: {}", fmt::join(unread, ", "));
   if (in_hand) {
     add_shape(std::move(hands), files, "the clip's points are in the frame of the hand",
               demonstration);

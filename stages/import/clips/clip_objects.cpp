@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/collision/mesh_file.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -16,19 +17,17 @@ using files::NpyArray;
 
 constexpr double kSamePosition_m = 1e-6;  ///< tolerance for poses of an object held by both hands
 
-/// Adds the poses [first, first + count) of an array of 4 x 4 matrices.
 void add_poses(const ClipArrays& clip, const NpyArray& array, std::size_t first, std::size_t count,
                const TrackerFrame& frame, SceneObject& object) {
   for (std::size_t k = 0; k < count; ++k) {
     const Pose pose = clip_pose(clip, array, first + k);
     object.position.push_back(frame.point(pose.translation()));
-    const bool turned = pose.linear().allFinite();
-    object.orientation.push_back(turned ? frame.rotation(Quat(pose.linear())) : unknown_rotation());
+    object.orientation.push_back(pose.linear().allFinite() ? frame.rotation(Quat(pose.linear()))
+                                                           : unknown_rotation());
   }
 }
 
-/// Returns the shape of an object from its folder beside the clip's, a mesh in metres times
-/// `scale`; otherwise a ball.
+/// Returns an object with the mesh objects/<id>/visual.obj, times `scale`; without it a sphere.
 SceneObject shape_of(const std::string& clip_file, const std::string& id, double scale,
                      std::vector<std::string>& reports) {
   const fs::path folder = fs::path(clip_file).parent_path();
@@ -42,18 +41,13 @@ SceneObject shape_of(const std::string& clip_file, const std::string& id, double
     const std::string fault = collision::load_mesh(file, scale, false, mesh);
     if (!fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), fault));
     mesh.name = id;
-    reports.push_back(fmt::format("object {}: shape from {}", id, file.string()));
+    add_note(reports, "object {}: shape from {}", id, file.string());
     return mesh;
   }
   return placeholder_sphere(id, reports);
 }
 
-bool contains_object(const std::vector<SceneObject>& objects, const std::string& name) {
-  return std::ranges::find(objects, name, &SceneObject::name) != objects.end();
-}
-
-/// Removes the instants at which its pose was not seen.
-void drop_unseen(SceneObject& object) {
+void drop_unseen_instants(SceneObject& object) {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < object.time.size(); ++k) {
     if (!is_known(object.position[k]) || !is_known(object.orientation[k])) continue;
@@ -66,13 +60,15 @@ void drop_unseen(SceneObject& object) {
   object.orientation.resize(kept, Quat::Identity());
 }
 
-/// Adds an object under its name, or "NAME_2" … if that is used; not if it was never seen.
+/// Adds an object if it was ever seen. If another has its name, it becomes "NAME_2", "NAME_3", ….
 void add_object(SceneObject object, std::vector<SceneObject>& objects) {
-  drop_unseen(object);
+  drop_unseen_instants(object);
   if (object.time.empty()) return;
   const std::string name = object.name;
-  for (int n = 2; contains_object(objects, object.name); ++n)
-    object.name = fmt::format("{}_{}", name, n);
+  const auto is_used = [&] {
+    return std::ranges::find(objects, object.name, &SceneObject::name) != objects.end();
+  };
+  for (int n = 2; is_used(); ++n) object.name = fmt::format("{}_{}", name, n);
   objects.push_back(std::move(object));
 }
 
@@ -92,13 +88,13 @@ void add_handled_object(ClipArrays& clip, Side side, const std::vector<double>& 
   const double scale = clip.number(prefix + "scale").value_or(1);
   if (poses == nullptr) return;
   if (!(scale > 0)) clip.fail(prefix + "scale", "must be positive");
-  std::vector<std::string> said;
-  SceneObject object = shape_of(clip.file(), id, scale, said);
+  std::vector<std::string> notes;
+  SceneObject object = shape_of(clip.file(), id, scale, notes);
   object.time = time;
   add_poses(clip, *poses, 0, time.size(), frame, object);
   const auto other = std::ranges::find(objects, id, &SceneObject::name);
   if (other != objects.end() && same_path(*other, object)) return;
-  reports.insert(reports.end(), said.begin(), said.end());
+  reports.insert(reports.end(), notes.begin(), notes.end());
   add_object(std::move(object), objects);
 }
 
@@ -127,9 +123,8 @@ void add_discs(ClipArrays& clip, const std::vector<double>& time, const TrackerF
     object.name = "support";
     object.shape = Shape::cylinder;
     object.size = {frame.unit_m * disc[3], frame.unit_m * disc[4]};
-    if (!(object.size[0] > 0 && object.size[1] > 0)) {
+    if (!(object.size[0] > 0 && object.size[1] > 0))
       clip.fail("support_discs", "radius and height must be positive");
-    }
     object.time = {time.front()};
     object.position = {frame.point(Vec3(disc[0], disc[1], disc[2] - disc[4] / 2))};
     object.orientation = {frame.rotation(Quat::Identity())};
@@ -137,7 +132,7 @@ void add_discs(ClipArrays& clip, const std::vector<double>& time, const TrackerF
   }
 }
 
-std::size_t numbers_of(Shape shape) {
+std::size_t size_count(Shape shape) {
   return shape == Shape::sphere ? 1 : shape == Shape::box ? 3 : shape == Shape::mesh ? 0 : 2;
 }
 
@@ -163,23 +158,23 @@ void read_mesh(ClipArrays& clip, const std::string& prefix, double metres, Scene
 void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
                 std::vector<std::string>& reports, SceneObject& object) {
   const bool mesh = clip.has(prefix + "vertices");
-  const std::string said = clip.text(prefix + "shape").value_or(mesh ? "mesh" : "");
-  if (said.empty()) {
+  const std::string name = clip.text(prefix + "shape").value_or(mesh ? "mesh" : "");
+  if (name.empty()) {
     const SceneObject ball = placeholder_sphere(object.name, reports);
     object.shape = ball.shape;
     object.size = ball.size;
     return;
   }
-  const auto shape = enum_from_name<Shape>(said);
+  const auto shape = enum_from_name<Shape>(name);
   if (!shape) {
     clip.fail(prefix + "shape",
-              fmt::format("must be sphere, box, cylinder, capsule or mesh, not '{}'", said));
+              fmt::format("must be sphere, box, cylinder, capsule or mesh, not '{}'", name));
   }
   object.shape = *shape;
   if (object.shape == Shape::mesh) return read_mesh(clip, prefix, metres, object);
-  const NpyArray* const size = clip.numbers(prefix + "size", {numbers_of(object.shape)});
+  const NpyArray* const size = clip.numbers(prefix + "size", {size_count(object.shape)});
   if (size == nullptr)
-    clip.fail(prefix + "size", fmt::format("is missing; required for a {}", said));
+    clip.fail(prefix + "size", fmt::format("is missing; required for a {}", name));
   for (const double length : size->values) {
     if (!(length > 0) || !std::isfinite(length)) clip.fail(prefix + "size", "must be positive");
     object.size.push_back(metres * length);
@@ -193,8 +188,8 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
   object.name = name;
   const NpyArray* const poses = clip.numbers(prefix + "pose", {ClipArrays::kAnyLength, 4, 4});
   const std::size_t count = poses->shape[0];
-  if (const auto* const own = clip.numbers(prefix + "times", {count})) {
-    object.time = own->values;
+  if (const auto* const times = clip.numbers(prefix + "times", {count})) {
+    object.time = times->values;
   } else if (count == time.size()) {
     object.time = time;
   } else if (count == 1) {
@@ -203,11 +198,7 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
     clip.fail(prefix + "pose", fmt::format("has {} poses, but the clip has {} frames; give {}times",
                                            count, time.size(), prefix));
   }
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!std::isfinite(object.time[k]) || (k > 0 && !(object.time[k] > object.time[k - 1]))) {
-      clip.fail(prefix + "times", fmt::format("value {} must be greater than the previous one", k));
-    }
-  }
+  clip.expect_increasing(prefix + "times", object.time);
   if (count == 0) clip.fail(prefix + "pose", "has no poses");
   add_poses(clip, *poses, 0, count, frame, object);
   read_shape(clip, prefix, frame.unit_m, reports, object);
@@ -220,12 +211,10 @@ std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<d
                                            const TrackerFrame& frame,
                                            std::vector<std::string>& reports) {
   std::vector<SceneObject> objects;
-  for (const std::string& name : clip.names_between("object_", "_pose")) {
+  for (const std::string& name : clip.names_between("object_", "_pose"))
     add_object(read_object(clip, name, time, frame, reports), objects);
-  }
-  for (const Side side : {Side::right, Side::left}) {
+  for (const Side side : {Side::right, Side::left})
     add_handled_object(clip, side, time, frame, reports, objects);
-  }
   add_context(clip, time, frame, reports, objects);
   add_discs(clip, time, frame, objects);
   return objects;

@@ -8,10 +8,12 @@
 
 namespace morphe::imports {
 
-/// Reads the objects of a clip, each name once: object_<name>_… with their shapes; obj_<side>_…
-/// that a hand manipulates and desk_context_… around it, whose meshes are objects/<id>/visual.obj
-/// beside the clip or its folder (without a mesh: a ball, which is reported); support_discs. `time`
-/// is the clip's.
+/// Reads the objects of a clip that were ever seen, with distinct names. `time` is the clip's [s].
+///   object_<name>_…   objects with their shapes
+///   obj_<side>_…      objects that a hand manipulates, and
+///   desk_context_…    objects around these, both with the meshes objects/<id>/visual.obj in the
+///                     clip's folder or the one above; without a mesh, with a sphere (reported)
+///   support_discs     cylinders at rest
 std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<double>& time,
                                            const TrackerFrame& frame,
                                            std::vector<std::string>& reports);

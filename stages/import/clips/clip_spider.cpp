@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/config/node.hpp"
 #include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
@@ -19,6 +19,7 @@ using files::NpyArray;
 constexpr std::size_t kPoseValueCount = 7;  ///< x, y, z, then the quaternion w, x, y, z
 constexpr double kMinFingertipDistance_m = 0.10;
 
+/// Returns true if an array of poses exists and has a pose other than zeros and the identity.
 bool has_data(const NpyArray* array) {
   if (array == nullptr) return false;
   for (std::size_t k = 0; k < array->values.size(); ++k) {
@@ -28,7 +29,7 @@ bool has_data(const NpyArray* array) {
   return false;
 }
 
-/// Reads ../task_info.json (JSON is YAML).
+/// Reads ../task_info.json, if it exists, with the reader of YAML, of which JSON is a subset.
 void read_task(const RecordingFiles& files, double& step_s, Demonstration& demonstration) {
   const fs::path file = fs::absolute(files.file).parent_path().parent_path() / "task_info.json";
   std::error_code error;
@@ -38,24 +39,22 @@ void read_task(const RecordingFiles& files, double& step_s, Demonstration& demon
   if (!task.has("ref_dt")) return;
   step_s = task["ref_dt"].number();
   if (!(step_s > 0)) task["ref_dt"].fail("must be positive");
-  demonstration.import_notes.push_back(
-      fmt::format("frame period {} s, from {}", step_s, file.filename().string()));
+  add_note(demonstration.import_notes, "frame period {} s, from {}", step_s,
+           file.filename().string());
 }
 
 std::vector<double> times_of(ClipArrays& clip, std::size_t rows, double step_s,
                              const RecordingFiles& files, std::vector<std::string>& reports) {
   std::vector<double> time;
   const NpyArray* const stamps = clip.numbers("timestamps", {rows});
+  const double in_file = step_s > 0 ? 1 / step_s : 0;
   const double rate_hz =
-      stamps != nullptr
-          ? 0
-          : resolve_rate_hz(step_s > 0 ? 1 / step_s : 0, files.conventions, clip.file(), reports);
+      stamps ? 0 : resolve_rate_hz(in_file, files.conventions, clip.file(), reports);
   for (std::size_t i = 0; i < rows; ++i) {
     time.push_back(stamps != nullptr ? (stamps->values[i] - stamps->values[0]) * 1e-9
                                      : static_cast<double>(i) / rate_hz);
-    if (i > 0 && !(time[i] > time[i - 1])) {
+    if (i > 0 && !(time[i] > time[i - 1]))
       clip.fail("timestamps", fmt::format("value {} must be greater than the previous one", i));
-    }
   }
   return time;
 }
@@ -68,7 +67,7 @@ std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t r
       clip.numbers(spider_key("finger", side), {rows, kFingerCount, kPoseValueCount});
   if (!has_data(wrist)) return std::nullopt;
   RecordedHand hand = unseen_hand(rows);
-  double reach = 0, count = 0;
+  double sum_m = 0, count = 0;
   for (std::size_t i = 0; i < rows; ++i) {
     hand.keypoints(i, 0) =
         frame.point(Eigen::Map<const Vec3>(wrist->values.data() + kPoseValueCount * i));
@@ -76,23 +75,23 @@ std::optional<RecordedHand> read_hand(ClipArrays& clip, Side side, std::size_t r
       const double* const tip = tips->values.data() + kPoseValueCount * (kFingerCount * i + finger);
       hand.keypoints(i, 4 + 4 * finger) = frame.point(Eigen::Map<const Vec3>(tip));
       if (finger == kThumb) continue;
-      reach += (hand.keypoints(i, 4 + 4 * finger) - hand.keypoints(i, 0)).norm();
+      sum_m += (hand.keypoints(i, 4 + 4 * finger) - hand.keypoints(i, 0)).norm();
       ++count;
     }
   }
-  if (count > 0 && reach / count < kMinFingertipDistance_m) {
-    reports.push_back(
-        fmt::format("the mean distance of the {} fingertips from the wrist is only {:.0f} mm; the "
-                    "point called wrist may be the knuckle of the middle finger",
-                    name_of(side), 1000 * reach / count));
+  if (count > 0 && sum_m / count < kMinFingertipDistance_m) {
+    add_note(reports,
+             "the mean distance of the {} fingertips from the wrist is only {:.0f} mm; the point "
+             "called wrist may be the knuckle of the middle finger",
+             name_of(side), 1000 * sum_m / count);
   }
   return hand;
 }
 
 }  // namespace
 
-std::string spider_key(const char* what, Side side) {
-  return fmt::format("qpos_{}_{}", what, name_of(side));
+std::string spider_key(const char* part, Side side) {
+  return fmt::format("qpos_{}_{}", part, name_of(side));
 }
 
 bool is_spider(const ClipArrays& clip) {
@@ -106,35 +105,35 @@ Demonstration read_spider(ClipArrays& clip, const RecordingFiles& files) {
   read_task(files, step_s, demonstration);
   const TrackerFrame frame = tracker_frame(
       files, "x y z", "m", "Z is up in SPIDER; facing direction not in the file", reports);
-  const Side first = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
+  const Side first_side = clip.has(spider_key("wrist", Side::right)) ? Side::right : Side::left;
   const std::size_t rows =
-      clip.numbers(spider_key("wrist", first), {ClipArrays::kAnyLength, kPoseValueCount})->shape[0];
+      clip.numbers(spider_key("wrist", first_side), {ClipArrays::kAnyLength, kPoseValueCount})
+          ->shape[0];
   HandClip hands;
   hands.time = times_of(clip, rows, step_s, files, reports);
   for (const Side side : {Side::right, Side::left}) {
-    hands.hands[static_cast<std::size_t>(side)] = read_hand(clip, side, rows, frame, reports);
+    hands.hands[side_index(side)] = read_hand(clip, side, rows, frame, reports);
     const NpyArray* const poses = clip.numbers(spider_key("obj", side), {rows, kPoseValueCount});
     if (!has_data(poses)) continue;
     SceneObject object = placeholder_sphere(fmt::format("{}_object", name_of(side)), reports);
     object.time = hands.time;
     for (std::size_t i = 0; i < rows; ++i) {
       const double* const q = poses->values.data() + kPoseValueCount * i;
-      const Quat turn(q[3], q[4], q[5], q[6]);
-      if (!(std::abs(turn.norm() - 1) < 1e-3)) {
+      const Quat rotation(q[3], q[4], q[5], q[6]);
+      if (!(std::abs(rotation.norm() - 1) < 1e-3)) {
         clip.fail(poses->name, fmt::format("the quaternion of row {} has length {:.4g}, must be 1",
-                                           i, turn.norm()));
+                                           i, rotation.norm()));
       }
       object.position.push_back(frame.point(Vec3(q[0], q[1], q[2])));
-      object.orientation.push_back(frame.rotation(turn));
+      object.orientation.push_back(frame.rotation(rotation));
     }
     hands.objects.push_back(std::move(object));
   }
   reports.push_back(
       "only wrists and fingertips used; wrist rotation skipped, since its axes depend on the "
       "original data set");
-  if (const std::vector<std::string> unread = clip.unread(); !unread.empty()) {
-    reports.push_back(fmt::format("keys skipped: {}", fmt::join(unread, ", ")));
-  }
+  if (const std::vector<std::string> unread = clip.unread(); !unread.empty())
+    add_note(reports, "keys skipped: {}", fmt::join(unread, ", "));
   add_tracked_clip(std::move(hands), files, demonstration);
   return demonstration;
 }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <optional>
 #include <string_view>
@@ -14,12 +15,13 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kMinHandSimilarity = 0.85;    ///< least share of satisfied conditions
-constexpr double kMinSimilarityMargin = 0.10;  ///< least margin to the next best order
-constexpr double kMinBendCosine = -0.6;        ///< least cosine of a bend that a joint can make
-constexpr std::size_t kMaxTestedFrames = 50;   ///< number of frames that are tested
+constexpr double kMinHandSimilarity = 0.85;    ///< of joints that form a hand
+constexpr double kMinSimilarityMargin = 0.10;  ///< to the next best order
+constexpr double kMinBendCosine = -0.6;        ///< of two successive bones, at the sharpest bend
+constexpr std::size_t kMaxTestedFrames = 50;
 constexpr std::string_view kNonKeypointWords[] = {"palm", "forearm"};
 
+/// Returns the names of the orders of `count` joints, or of all orders if `count` is 0.
 std::string order_names(std::size_t count) {
   std::vector<std::string_view> names;
   for (const KeypointOrder& order : keypoint_orders()) {
@@ -28,74 +30,60 @@ std::string order_names(std::size_t count) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The conditions of one frame for an order: the numbers of tested and of satisfied conditions.
 struct ConditionCount {
-  double tested_count = 0, satisfied_count = 0;
-  void test(double smaller, double larger) {
+  double tested = 0, satisfied = 0;
+
+  /// Counts the condition smaller < larger, if both are known.
+  void count(double smaller, double larger) {
     if (!std::isfinite(smaller) || !std::isfinite(larger)) return;
-    ++tested_count;
-    satisfied_count += smaller < larger;
+    ++tested;
+    satisfied += smaller < larger;
   }
 };
 
-using Hand = std::array<Vec3, kKeypointCount>;
-
-double keypoint_distance(const Hand& hand, std::size_t a, std::size_t b) {
-  return (hand[a] - hand[b]).norm();
-}
-
-/// Returns the cosine of the angle between the directions from a to b and from b to c.
-double bend_cosine(const Hand& hand, std::size_t a, std::size_t b, std::size_t c) {
-  return (hand[b] - hand[a]).normalized().dot((hand[c] - hand[b]).normalized());
-}
-
-/// Tests conditions whose lengths are relative to the hand's own, so that they are independent of
-/// the unit.
-void test_hand_proportions(const Hand& hand, ConditionCount& votes) {
-  const double palm = (keypoint_distance(hand, 0, 5) + keypoint_distance(hand, 0, 9) +
-                       keypoint_distance(hand, 0, 13)) /
-                      3;
-  const double size = std::isfinite(palm) ? palm : 4 * keypoint_distance(hand, 5, 9);
-  for (std::size_t finger = 1; finger < kFingerCount; ++finger) {
-    const std::size_t base = 1 + 4 * finger;
-    votes.test(0.5 * size, keypoint_distance(hand, 0, base));
-    votes.test(kMinBendCosine, bend_cosine(hand, 0, base, base + 1));
-    votes.test(kMinBendCosine, bend_cosine(hand, base, base + 1, base + 2));
-    votes.test(kMinBendCosine, bend_cosine(hand, base + 1, base + 2, base + 3));
-    votes.test(keypoint_distance(hand, base + 2, base + 3),
-               1.15 * keypoint_distance(hand, base, base + 1));
-    votes.test(keypoint_distance(hand, base + 1, base + 2),
-               1.15 * keypoint_distance(hand, base, base + 1));
-    for (std::size_t joint = 0; joint < 3; ++joint) {
-      const double bone = keypoint_distance(hand, base + joint, base + joint + 1);
-      votes.test(0.08 * size, bone);
-      votes.test(bone, 0.75 * size);
-    }
-    if (finger + 1 < kFingerCount) votes.test(keypoint_distance(hand, base, base + 4), 0.4 * size);
+/// Counts the conditions for a human hand. Lengths are relative, so that the unit does not matter.
+void count_conditions(const std::array<Vec3, kKeypointCount>& hand, ConditionCount& conditions) {
+  const auto distance = [&](int a, int b) { return (hand[a] - hand[b]).norm(); };
+  const double palm = (distance(0, 5) + distance(0, 9) + distance(0, 13)) / 3;
+  const double size = std::isfinite(palm) ? palm : 4 * distance(5, 9);
+  const auto count_bend = [&](int a, int b, int c) {
+    const Vec3 before = (hand[b] - hand[a]).normalized(), after = (hand[c] - hand[b]).normalized();
+    conditions.count(kMinBendCosine, before.dot(after));
+  };
+  const auto count_bone = [&](int joint) {
+    const double bone = distance(joint, joint + 1);
+    conditions.count(0.08 * size, bone);
+    conditions.count(bone, 0.75 * size);
+  };
+  for (int base = 5; base < kKeypointCount; base += 4) {
+    conditions.count(0.5 * size, distance(0, base));
+    count_bend(0, base, base + 1);
+    count_bend(base, base + 1, base + 2);
+    count_bend(base + 1, base + 2, base + 3);
+    conditions.count(distance(base + 2, base + 3), 1.15 * distance(base, base + 1));
+    conditions.count(distance(base + 1, base + 2), 1.15 * distance(base, base + 1));
+    for (int joint = base; joint < base + 3; ++joint) count_bone(joint);
+    if (base + 4 < kKeypointCount) conditions.count(distance(base, base + 4), 0.4 * size);
   }
-  votes.test(keypoint_distance(hand, 5, 9), keypoint_distance(hand, 5, 13));
-  votes.test(keypoint_distance(hand, 5, 13), keypoint_distance(hand, 5, 17));
-  votes.test(keypoint_distance(hand, 9, 13), keypoint_distance(hand, 9, 17));
-  for (std::size_t joint = 2; joint < 4; ++joint) {
-    const double bone = keypoint_distance(hand, joint, joint + 1);
-    votes.test(0.08 * size, bone);
-    votes.test(bone, 0.75 * size);
-  }
-  votes.test(kMinBendCosine, bend_cosine(hand, 2, 3, 4));
-  votes.test(keypoint_distance(hand, 0, 2), keypoint_distance(hand, 0, 9));
-  votes.test(keypoint_distance(hand, 2, 5), keypoint_distance(hand, 2, 17));
+  conditions.count(distance(5, 9), distance(5, 13));
+  conditions.count(distance(5, 13), distance(5, 17));
+  conditions.count(distance(9, 13), distance(9, 17));
+  count_bone(2);
+  count_bone(3);
+  count_bend(2, 3, 4);
+  conditions.count(distance(0, 2), distance(0, 9));
+  conditions.count(distance(2, 5), distance(2, 17));
 }
 
-/// Returns the part of a finger's joint that a word names: 0 for its base … 3 for its tip; -1 if it
-/// is not a keypoint.
+/// Returns the finger's joint that a word denotes: 0 for its base … 3 for its tip; -1 for a joint
+/// that is not a keypoint; no value for another word.
 std::optional<int> finger_joint_index(std::string_view word, bool thumb, bool has_metacarpal) {
   if (word == "tip") return 3;
   if (thumb) {
     if (word == "cmc" || word == "metacarpal") return 0;
-    if (word == "mcp") return 1;
-    if (word == "ip" || word == "dip" || word == "distal") return 2;
     if (word == "proximal") return has_metacarpal ? 1 : 0;
-    if (word == "intermediate") return 1;
+    if (word == "mcp" || word == "intermediate") return 1;
+    if (word == "ip" || word == "dip" || word == "distal") return 2;
     return std::nullopt;
   }
   if (word == "metacarpal" || word == "cmc") return -1;
@@ -112,30 +100,21 @@ std::optional<std::size_t> finger_of(std::string_view word) {
   return word == "pinky" ? std::optional(kLittle) : std::nullopt;
 }
 
-/// Returns the keypoint that a name denotes, -1 for a joint that is not a keypoint.
+/// Returns the keypoint that a name denotes; -1 for another joint of the arm; otherwise no value.
 std::optional<int> keypoint_from_name(const std::string& name, bool has_metacarpal) {
   std::optional<std::size_t> finger;
-  std::optional<int> part;
+  std::optional<int> joint;
   for (const NameWord& word : split_name(name)) {
     if (word.text == "wrist") return 0;
     if (std::ranges::find(kNonKeypointWords, word.text) != std::end(kNonKeypointWords)) return -1;
     if (!finger) {
       finger = finger_of(word.text);
-    } else if (!part) {
-      part = finger_joint_index(word.text, *finger == kThumb, has_metacarpal);
+    } else if (!joint) {
+      joint = finger_joint_index(word.text, *finger == kThumb, has_metacarpal);
     }
   }
-  if (!finger || !part) return std::nullopt;
-  return *part < 0 ? -1 : static_cast<int>(1 + 4 * *finger) + *part;
-}
-
-[[noreturn]] void test(const std::string& file, const std::string& key, const std::string& why,
-                       std::size_t count, std::string likely) {
-  UnresolvedConvention question(
-      "joint_order", fmt::format("{}: {}: {}; give --joint-order or `joint_order:`: one of {}",
-                                 file, key, why, order_names(count)));
-  question.likely_value = std::move(likely);
-  throw question;
+  if (!finger || !joint) return std::nullopt;
+  return *joint < 0 ? -1 : static_cast<int>(1 + 4 * *finger) + *joint;
 }
 
 }  // namespace
@@ -152,85 +131,83 @@ JointOrder order_by_names(const std::vector<std::string>& names,
   JointOrder order;
   order.joint.fill(-1);
   order.because = "joint order from the joint names";
-  for (std::size_t j = 0; j < names.size(); ++j) {
+  for (int j = 0; j < std::ssize(names); ++j) {
     const std::optional<int> keypoint = keypoint_from_name(names[j], has_metacarpal);
     if (!keypoint || (*keypoint >= 0 && order.joint[*keypoint] >= 0)) {
       unknown.push_back(names[j]);
     } else if (*keypoint >= 0) {
-      order.joint[*keypoint] = static_cast<int>(j);
+      order.joint[*keypoint] = j;
     }
   }
   return order;
 }
 
 double hand_similarity(const Array2D<Vec3>& joints, const std::array<int, kKeypointCount>& order) {
-  ConditionCount votes;
+  ConditionCount conditions;
   const std::size_t step = std::max<std::size_t>(1, joints.rows / kMaxTestedFrames);
   for (std::size_t row = 0; row < joints.rows; row += step) {
-    Hand hand;
-    for (std::size_t k = 0; k < kKeypointCount; ++k) {
+    std::array<Vec3, kKeypointCount> hand;
+    for (int k = 0; k < kKeypointCount; ++k)
       hand[k] = order[k] < 0 ? unknown_point() : joints(row, order[k]);
-    }
-    test_hand_proportions(hand, votes);
+    count_conditions(hand, conditions);
   }
-  return votes.tested_count > 0 ? votes.satisfied_count / votes.tested_count : 0;
+  return conditions.tested > 0 ? conditions.satisfied / conditions.tested : 0;
 }
 
 JointOrder joint_order_of(const Array2D<Vec3>& joints, const std::string& in_file,
                           const Conventions& conventions, const std::string& file,
                           const std::string& key) {
-  const std::string& said = conventions.joint_order.empty() ? in_file : conventions.joint_order;
-  if (!said.empty()) {
-    const KeypointOrder* const order = keypoint_order(said);
+  const std::size_t count = joints.cols;
+  const std::string& given = conventions.joint_order.empty() ? in_file : conventions.joint_order;
+  if (!given.empty()) {
+    const KeypointOrder* const order = keypoint_order(given);
     if (order == nullptr) {
-      throw InputError(fmt::format("{}: joint_order: unknown order '{}'; known: {}", file, said,
+      throw InputError(fmt::format("{}: joint_order: unknown order '{}'; known: {}", file, given,
                                    order_names(0)));
     }
-    if (order->joints != joints.cols) {
+    if (order->joints != count) {
       throw InputError(fmt::format("{}: {}: has {} joints, but the order {} has {}", file, key,
-                                   joints.cols, said, order->joints));
+                                   count, given, order->joints));
     }
-    return {order->joint, fmt::format("joint order {}, as given", said)};
+    return {order->joint, fmt::format("joint order {}, as given", given)};
   }
-  const KeypointOrder *best = nullptr, *next = nullptr;
-  double best_share = 0, next_share = 0;
+  struct Candidate {
+    const KeypointOrder* order;
+    double similarity;
+  };
+  std::vector<Candidate> candidates;  // the most similar first
   for (const KeypointOrder& order : keypoint_orders()) {
-    if (order.joints != joints.cols || (best != nullptr && order.joint == best->joint)) continue;
-    const double share = hand_similarity(joints, order.joint);
-    if (best == nullptr || share > best_share) {
-      next = best;
-      next_share = best_share;
-      best = &order;
-      best_share = share;
-    } else if (next == nullptr || share > next_share) {
-      next = &order;
-      next_share = share;
-    }
+    const auto is_same = [&](const Candidate& other) { return other.order->joint == order.joint; };
+    if (order.joints == count && std::ranges::none_of(candidates, is_same))
+      candidates.push_back({&order, hand_similarity(joints, order.joint)});
   }
-  if (best == nullptr) {
-    test(file, key,
-         fmt::format("no known order has {} joints; name them in {}_names", joints.cols, key), 0,
-         "openpose");
+  std::ranges::stable_sort(candidates, std::greater(), &Candidate::similarity);
+  const std::string_view likely = candidates.empty() ? "openpose" : candidates[0].order->name;
+  const auto throw_unresolved = [&](const std::string& why) {
+    UnresolvedConvention unresolved(
+        "joint_order", fmt::format("{}: {}: {}; give --joint-order or `joint_order:`: one of {}",
+                                   file, key, why, order_names(candidates.empty() ? 0 : count)));
+    unresolved.likely_value = likely;
+    throw unresolved;
+  };
+  if (candidates.empty())
+    throw_unresolved(
+        fmt::format("no known order has {} joints; name them in {}_names", count, key));
+  const JointOrder order{
+      candidates[0].order->joint,
+      fmt::format("joint order {}, recognised by the number and positions of the joints", likely)};
+  if (!conventions.plausibility_checks) return order;
+  const double similarity = candidates[0].similarity;
+  if (similarity < kMinHandSimilarity) {
+    throw_unresolved(fmt::format(
+        "the {} joints do not look like a hand in any known order (best match, {:.0f} %: {})",
+        count, 100 * similarity, likely));
   }
-  const JointOrder found{
-      best->joint,
-      fmt::format("joint order {}, recognised by the number and positions of the joints",
-                  best->name)};
-  if (!conventions.plausibility_checks) return found;
-  if (best_share < kMinHandSimilarity) {
-    test(file, key,
-         fmt::format(
-             "the {} joints do not look like a hand in any known order (best match, {:.0f} %: {})",
-             joints.cols, 100 * best_share, best->name),
-         joints.cols, std::string(best->name));
+  if (candidates.size() > 1 && similarity - candidates[1].similarity < kMinSimilarityMargin) {
+    throw_unresolved(fmt::format("the {} joints look like a hand in both orders {} and {}", count,
+                                 likely, candidates[1].order->name));
   }
-  if (next != nullptr && best_share - next_share < kMinSimilarityMargin) {
-    test(file, key,
-         fmt::format("the {} joints look like a hand in both orders {} and {}", joints.cols,
-                     best->name, next->name),
-         joints.cols, std::string(best->name));
-  }
-  return found;
+  return order;
 }
 
 }  // namespace morphe::imports

@@ -9,29 +9,29 @@
 
 namespace morphe::imports {
 
-/// The mapping from a tool's joints to keypoints, as KeypointOrder::joint, and its reason.
+/// The order of a recording's joints.
 struct JointOrder {
-  std::array<int, kKeypointCount> joint{};  ///< keypoint k is joint [k]; -1 if absent
-  std::string because;                      ///< a sentence for `reports`
+  std::array<int, kKeypointCount> joint{};  ///< as KeypointOrder::joint
+  std::string because;                      ///< how it was found: a sentence for import_notes
 };
 
-/// Determines the order from the names of the joints, in any sequence: "thumb_tip",
-/// "right_index_mcp", "IndexFingerProximal", "pinky_distal". A segment's joint is at the root of
-/// its bone: proximal is MCP, intermediate PIP, distal DIP (thumb: metacarpal or, without one,
-/// proximal is CMC). Metacarpals of fingers, palm and forearm are not keypoints. `unknown` gets the
-/// names that cannot be interpreted.
+/// Determines the order from the names of the joints: "thumb_tip", "right_index_mcp",
+/// "IndexFingerProximal", "pinky_distal". A name of a bone denotes the joint at its root: proximal
+/// is MCP, intermediate PIP, distal DIP. For the thumb, metacarpal is CMC; if no name is, proximal.
+/// Metacarpals of fingers, palm and forearm are ignored. `unknown` gets all other names, repeated
+/// ones included.
 JointOrder order_by_names(const std::vector<std::string>& names, std::vector<std::string>& unknown);
 
-/// Returns the share of the conditions for a human hand that [N, J] joints satisfy in this order,
-/// averaged over some frames: bones and palms of plausible proportions, knuckles side by side in
-/// sequence, no joint folded back on itself, the thumb on the index's side.
+/// Returns the ratio of satisfied conditions for a human hand, over up to 100 frames of [N, J]
+/// joints in this order: bones and palm have plausible proportions, knuckles are side by side in
+/// sequence, no joint is folded back on itself, and the thumb is on the index finger's side.
 double hand_similarity(const Array2D<Vec3>& joints, const std::array<int, kKeypointCount>& order);
 
-/// Returns the requested order (Conventions, otherwise `in_file`, "" if absent), or that of the
-/// orders with the same number of joints with which they form a hand. Throws UnresolvedConvention
-/// "joint_order" if no order does, or if several do, which is always the case while a recording is
-/// only inspected (not `judged`: the likeliest). Throws InputError "FILE: KEY: …" for an order with
-/// a different number of joints or an unknown name.
+/// Returns the order that `conventions` or, without, `in_file` names; if both are "", the only
+/// known order of as many joints in which the joints form a hand. Throws UnresolvedConvention
+/// "joint_order" if they form a hand in no known order or in several (without plausibility checks,
+/// only if no order has as many joints; otherwise the likeliest is returned). Throws InputError
+/// "FILE: KEY: …" for a named order that is unknown or has another number of joints.
 JointOrder joint_order_of(const Array2D<Vec3>& joints, const std::string& in_file,
                           const Conventions& conventions, const std::string& file,
                           const std::string& key);

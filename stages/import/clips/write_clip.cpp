@@ -1,7 +1,5 @@
 #include "stages/import/clips/write_clip.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -13,8 +11,6 @@ namespace {
 
 using files::NpyArray;
 using files::NpyKind;
-
-constexpr double kUnit = 1;
 
 struct Arrays {
   std::vector<NpyArray> all;
@@ -36,108 +32,97 @@ void append(const Vec3& point, std::vector<double>& values) {
   values.insert(values.end(), point.begin(), point.end());
 }
 
-/// Appends three numbers per row, and the fourth of `last` if there is a translation.
-void append(const Eigen::Matrix3d& turn, const Vec3* translation, std::vector<double>& values) {
-  for (Eigen::Index row = 0; row < 3; ++row) {
-    for (Eigen::Index col = 0; col < 3; ++col) values.push_back(turn(row, col));
+/// Appends a 3×3 matrix, or with a translation a 4×4 matrix, row by row.
+void append(const Eigen::Matrix3d& rotation, const Vec3* translation, std::vector<double>& values) {
+  for (int row = 0; row < 3; ++row) {
+    for (int col = 0; col < 3; ++col) values.push_back(rotation(row, col));
     if (translation != nullptr) values.push_back((*translation)[row]);
   }
-  if (translation != nullptr) values.insert(values.end(), {0, 0, 0, kUnit});
+  if (translation != nullptr) values.insert(values.end(), {0, 0, 0, 1});
 }
 
-Eigen::Matrix3d matrix_of(const Quat& turn) {
-  return is_known(turn) ? turn.toRotationMatrix() : Eigen::Matrix3d::Constant(kUnknown);
+Eigen::Matrix3d matrix_of(const Quat& rotation) {
+  return is_known(rotation) ? rotation.toRotationMatrix() : Eigen::Matrix3d::Constant(kUnknown);
 }
 
-/// The arrays to which the joints of a skeleton are written.
-struct SkeletonSplit {
-  std::vector<std::size_t> body;
-  std::array<std::array<int, kKeypointCount>, 2> hands{};  ///< by Side; -1 if absent
-  std::array<int, 2> turned{-1, -1};                       ///< right_hand, left_hand
-  bool has(Side side) const {
-    const auto which = static_cast<std::size_t>(side);
-    return turned[which] >= 0 ||
-           std::ranges::any_of(hands[which], [](int joint) { return joint >= 0; });
+/// The joints of a skeleton that are written as one hand; -1 if absent.
+struct HandJoints {
+  std::array<int, kKeypointCount> keypoints;
+  int orientation = -1;  ///< right_hand or left_hand
+
+  HandJoints() { keypoints.fill(-1); }
+  bool any() const {
+    return orientation >= 0 || std::ranges::any_of(keypoints, [](int joint) { return joint >= 0; });
   }
 };
 
-bool has_rotations(const BodyStream& body, std::size_t k) {
-  for (std::size_t i = 0; i < body.orientation.rows; ++i) {
-    if (is_known(body.orientation(i, k))) return true;
-  }
-  return false;
-}
+struct SkeletonSplit {
+  std::vector<int> body;
+  std::array<HandJoints, 2> hands;  ///< by Side
+};
 
 SkeletonSplit split_skeleton(const BodyStream& skeleton) {
-  SkeletonSplit parting;
-  for (auto& hand : parting.hands) hand.fill(-1);
-  const bool confident = skeleton.confidence.rows > 0;
-  for (std::size_t k = 0; k < skeleton.names.size(); ++k) {
+  SkeletonSplit split;
+  const bool has_confidence = skeleton.confidence.rows > 0;
+  for (int k = 0; k < std::ssize(skeleton.names); ++k) {
     bool in_body = true;
     for (const Side side : {Side::right, Side::left}) {
-      const auto which = static_cast<std::size_t>(side);
-      const std::vector<std::string> names = keypoint_names(side);
-      const auto found = std::ranges::find(names, skeleton.names[k]);
-      if (found != names.end()) {
-        parting.hands[which][found - names.begin()] = static_cast<int>(k);
-        in_body = has_rotations(skeleton, k) || confident;
+      HandJoints& hand = split.hands[side_index(side)];
+      if (const int keypoint = name_index(keypoint_names(side), skeleton.names[k]); keypoint >= 0) {
+        hand.keypoints[keypoint] = k;
+        in_body = has_confidence || any_known(skeleton.orientation, k);
       } else if (skeleton.names[k] == std::string(name_of(side)) + "_hand") {
-        parting.turned[which] = static_cast<int>(k);
+        hand.orientation = k;
       }
     }
-    if (in_body) parting.body.push_back(k);
+    if (in_body) split.body.push_back(k);
   }
-  return parting;
+  return split;
 }
 
-void add_hand(const BodyStream& skeleton, const SkeletonSplit& parting, Side side, Arrays& arrays) {
-  const auto which = static_cast<std::size_t>(side);
+void add_hand(const BodyStream& skeleton, const HandJoints& hand, Side side, Arrays& arrays) {
   const std::size_t rows = skeleton.time.size();
   const std::string prefix = clip_prefix(side);
-  const auto& joints = parting.hands[which];
   const auto point = [&](std::size_t i, int joint) {
     return joint < 0 ? unknown_point() : skeleton.position(i, joint);
   };
-  std::vector<double> wrist, all, turns;
+  std::vector<double> wrist, joints, rotations;
   const Eigen::Matrix3d hand_from_wrist = clip_wrist_from_hand(side).transpose();
   for (std::size_t i = 0; i < rows; ++i) {
-    append(point(i, joints[0]), wrist);
-    for (const int joint : joints) append(point(i, joint), all);
-    if (const int hand = parting.turned[which]; hand >= 0) {
-      const Quat& turn = skeleton.orientation(i, hand);
-      append(matrix_of(turn) * hand_from_wrist, nullptr, turns);
-    }
+    append(point(i, hand.keypoints[0]), wrist);
+    for (const int joint : hand.keypoints) append(point(i, joint), joints);
+    if (hand.orientation < 0) continue;
+    const Quat& orientation = skeleton.orientation(i, hand.orientation);
+    append(matrix_of(orientation) * hand_from_wrist, nullptr, rotations);
   }
   arrays.add(prefix + "wrist_pos", {rows, 3}, std::move(wrist));
-  arrays.add(prefix + "joints", {rows, kKeypointCount, 3}, std::move(all));
-  if (!turns.empty()) arrays.add(prefix + "wrist_rot", {rows, 3, 3}, std::move(turns));
+  arrays.add(prefix + "joints", {rows, kKeypointCount, 3}, std::move(joints));
+  if (!rotations.empty()) arrays.add(prefix + "wrist_rot", {rows, 3, 3}, std::move(rotations));
 }
 
-void add_body(const BodyStream& skeleton, const std::vector<std::size_t>& joints, Arrays& arrays) {
+void add_body(const BodyStream& skeleton, const std::vector<int>& joints, Arrays& arrays) {
   if (joints.empty()) return;
   const std::size_t rows = skeleton.time.size();
   std::vector<std::string> names, parents;
-  for (const std::size_t k : joints) {
+  for (const int k : joints) {
     names.push_back(skeleton.names[k]);
-    parents.push_back(k < skeleton.parents.size() ? skeleton.parents[k] : "");
+    parents.push_back(k < std::ssize(skeleton.parents) ? skeleton.parents[k] : "");
   }
-  std::vector<double> points, turns, confidence;
+  std::vector<double> points, rotations, confidence;
   for (std::size_t i = 0; i < rows; ++i) {
-    for (const std::size_t k : joints) {
+    for (const int k : joints) {
       append(skeleton.position(i, k), points);
       const Quat& q = skeleton.orientation(i, k);
-      turns.insert(turns.end(), {q.w(), q.x(), q.y(), q.z()});
+      rotations.insert(rotations.end(), {q.w(), q.x(), q.y(), q.z()});
       if (skeleton.confidence.rows > 0) confidence.push_back(skeleton.confidence(i, k));
     }
   }
   arrays.add("body_joint_names", std::move(names));
   arrays.add("body_joints", {rows, joints.size(), 3}, std::move(points));
-  if (std::ranges::any_of(joints, [&](std::size_t k) { return has_rotations(skeleton, k); })) {
-    arrays.add("body_rotations", {rows, joints.size(), 4}, std::move(turns));
-  }
-  if (std::ranges::any_of(parents, [](const auto& name) { return !name.empty(); })) {
+  if (std::ranges::any_of(joints, [&](int k) { return any_known(skeleton.orientation, k); }))
+    arrays.add("body_rotations", {rows, joints.size(), 4}, std::move(rotations));
+  if (std::ranges::any_of(parents, [](const auto& name) { return !name.empty(); }))
     arrays.add("body_parents", std::move(parents));
-  }
   if (!confidence.empty())
     arrays.add("body_confidence", {rows, joints.size()}, std::move(confidence));
 }
@@ -145,12 +130,13 @@ void add_body(const BodyStream& skeleton, const std::vector<std::size_t>& joints
 void add_skeleton(const BodyStream& skeleton, Arrays& arrays) {
   arrays.add("times", {skeleton.time.size()}, skeleton.time);
   if (skeleton.reconstructed) arrays.add("rebuilt", 1);
-  const SkeletonSplit parting = split_skeleton(skeleton);
-  if (parting.has(Side::right) || parting.has(Side::left)) arrays.add("joint_order", "openpose");
+  const SkeletonSplit split = split_skeleton(skeleton);
+  if (std::ranges::any_of(split.hands, &HandJoints::any)) arrays.add("joint_order", "openpose");
   for (const Side side : {Side::right, Side::left}) {
-    if (parting.has(side)) add_hand(skeleton, parting, side, arrays);
+    const HandJoints& hand = split.hands[side_index(side)];
+    if (hand.any()) add_hand(skeleton, hand, side, arrays);
   }
-  add_body(skeleton, parting.body, arrays);
+  add_body(skeleton, split.body, arrays);
 }
 
 void add_keypoints(const HandStream& hand, Side side, Arrays& arrays) {
@@ -166,9 +152,8 @@ void add_keypoints(const HandStream& hand, Side side, Arrays& arrays) {
 void add_object(const SceneObject& object, Arrays& arrays) {
   const std::string prefix = "object_" + object.name + "_";
   std::vector<double> poses, vertices, triangles;
-  for (std::size_t k = 0; k < object.time.size(); ++k) {
+  for (std::size_t k = 0; k < object.time.size(); ++k)
     append(matrix_of(object.orientation[k]), &object.position[k], poses);
-  }
   arrays.add(prefix + "pose", {object.time.size(), 4, 4}, std::move(poses));
   arrays.add(prefix + "times", {object.time.size()}, object.time);
   arrays.add(prefix + "shape", std::string(name_of(object.shape)));

@@ -26,11 +26,11 @@ void remove_duplicates(std::vector<DatasetFile>& files, std::vector<SkippedFile>
       continue;
     }
     const fs::path place = file.path.parent_path() / file.path.stem();
-    const auto beside = by_place.find(place);
-    if (beside != by_place.end() && beside->second->sketch.format != file.sketch.format &&
-        same_recording(beside->second->sketch, file.sketch)) {
+    const auto other = by_place.find(place);
+    if (other != by_place.end() && other->second->descriptor.format != file.descriptor.format &&
+        same_recording(other->second->descriptor, file.descriptor)) {
       left_out.push_back(
-          {file.path, fmt::format("the same recording as {}", beside->second->display_name)});
+          {file.path, fmt::format("the same recording as {}", other->second->display_name)});
       continue;
     }
     kept.push_back(std::move(file));

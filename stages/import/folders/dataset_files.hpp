@@ -13,31 +13,35 @@ namespace morphe::imports {
 /// A file of a dataset that a format reads, and the properties found in it.
 struct DatasetFile {
   std::filesystem::path path;
-  std::string display_name;       ///< path relative to the dataset
-  std::string names;              ///< the request's name map if the file uses it, otherwise ""
-  bool from_folder = false;       ///< true if found in a folder rather than given directly
-  std::size_t request_index = 0;  ///< index of the path of the request that it came from
-  RecordingDescriptor sketch;     ///< its folders, format and points
-  ReachingHand hand;              ///< the hand that reaches in it
+  std::string display_name;        ///< path relative to the dataset
+  std::string names;               ///< ImportRequest::name_map if the file uses it, otherwise ""
+  bool from_folder = false;        ///< true if found in a folder rather than given directly
+  int request_index = 0;           ///< index in ImportRequest::paths of the path it came from
+  RecordingDescriptor descriptor;  ///< its folders, format and points
+  ReachingHand hand;
 };
 
-/// Returns every file of the request that may be a recording or a static trial, each read once.
-/// Recordings listed by manifests are added to `entries`, all other files to `left_out`. Throws
-/// InputError if a manifest cannot be read; a file given directly that cannot be read is kept.
-std::vector<DatasetFile> dataset_files(const ImportRequest& request,
-                                       std::vector<NamedEntry>& entries,
-                                       std::vector<SkippedFile>& left_out);
+/// The contents of a dataset.
+struct DatasetContents {
+  std::vector<NamedEntry> entries;    ///< recordings that manifests list
+  std::vector<DatasetFile> files;     ///< files that may be recordings or static trials
+  std::vector<SkippedFile> left_out;  ///< all other files
+};
+/// Reads each file of a request once. Files given directly that cannot be read are kept, for the
+/// import to report the error. Throws InputError for an unreadable manifest, UnresolvedImport if
+/// there is neither an entry nor a file, and a file lacks only conventions or names.
+DatasetContents dataset_files(const ImportRequest& request);
 
-/// Returns true if its name or a folder's is that of a static trial.
+/// Returns true if the name of the file, or of one of its folders, is that of a static trial.
 bool has_static_name(const DatasetFile& file);
-/// Returns true if in addition its points are stationary.
+/// Returns true if has_static_name() and the file's points are stationary.
 bool is_static_trial(const DatasetFile& file);
 
-/// Removes duplicates of other files: identical bytes, or the same recording in another format
-/// beside it.
+/// Moves to `left_out` the files of folders that have the bytes of an earlier one, or that are the
+/// same recording as an earlier one with the same folder and stem, but another format.
 void remove_duplicates(std::vector<DatasetFile>& files, std::vector<SkippedFile>& left_out);
 
-/// Returns candidates for the file's name, the best first.
+/// Returns candidates for the recording's name, the best first; empty for a file given directly.
 std::vector<std::string> candidate_names(const DatasetFile& file);
 
 }  // namespace morphe::imports

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -8,20 +7,20 @@
 
 namespace morphe::imports {
 
-/// An entry that takes the first of these names that is unused; without names, it keeps its own.
+/// An entry and candidates for its name.
 struct NamedEntry {
   ManifestEntry entry;
-  std::vector<std::string> names;  ///< candidate names, the best first
-  std::size_t request_index = 0;   ///< index of the path of the request that it came from
+  std::vector<std::string> names;  ///< the best first; without any, the entry keeps its own name
+  int request_index = 0;           ///< index in ImportRequest::paths of the path it came from
 };
 
-/// Returns for example "P01_reach" for the folder P01 and the file reach. A folder whose name is
-/// already a prefix of the rest is left out, unless `all` is set.
+/// Returns "P01_reach" for the folder P01 and the file reach. A folder with whose name the rest
+/// already begins ("P01_reach" in P01) is left out, unless `keep_all` is set.
 std::string joined_name(const std::vector<std::string>& folders, const std::string& stem,
-                        bool all = false);
+                        bool keep_all = false);
 
-/// Returns the entries with distinct names. Throws InputError for a name that is invalid for a
-/// group, and for two entries with the same name and no alternative.
+/// Gives each entry its first unused candidate or, if all are used, the first one with a number.
+/// Throws InputError for an invalid name of an HDF5 group, and for a used name without candidates.
 std::vector<ManifestEntry> assign_unique_names(std::vector<NamedEntry> entries);
 
 }  // namespace morphe::imports

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "stages/import/folders/import_request.hpp"
@@ -14,21 +13,19 @@ struct FoundRecordings {
   bool from_folder = false;            ///< true if there is a folder among the paths
 };
 
-/// Finds the recordings of a request. Manifests list their recordings. A recording given directly
-/// is taken unchanged except for the hand and for static trials that are given with it
-/// (static_pairing.hpp).
-///
-/// In a folder, including its subfolders, every file that a format recognises is a recording. A
-/// static trial is identified by its name or its folder's and by its stationary points; it is
-/// paired with the recordings of the same person. A recording is named after its folders and its
-/// file; its subject is the person named by the static trial or the first folder; its hand is the
-/// one that moves farther; the assumptions made are in its notes. A recordings.yaml in a folder
-/// determines the recordings of all files below it: those that it does not list are skipped. Also
-/// skipped are files with the same bytes as a previous file or with the same recording in another
-/// format, joint angles alone (mot), and HDF5 files.
+/// Finds the recordings of a request: those of its manifests, those given directly, and those in
+/// its folders and their subfolders, where every file that a format recognises is one, except for
+/// - files that a recordings.yaml in a folder above them does not list,
+/// - duplicates (remove_duplicates()), and
+/// - files with joint angles alone (mot).
+/// Files with is_static_trial() are paired with recordings of the same person (static_pairing.hpp).
+/// A recording without a given hand has the one that reaches (reaching_hand()). In a folder, a
+/// recording is named after its folders and file, and its subject is the person whom the name of
+/// the static trial or of a folder states. Assumptions are in the entry's notes.
 FoundRecordings find_recordings(const ImportRequest& request);
 
-/// Throws InputError with the obstacles if no recording was imported from the folders of a request.
+/// If the request has a folder and no recording was imported, throws InputError with the error of
+/// the first recording that could not be read or, without one, with all reasons and their counts.
 void require_recordings(const ImportRequest& request, const ImportResult& imported);
 
 }  // namespace morphe::imports

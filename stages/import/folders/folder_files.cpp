@@ -33,19 +33,20 @@ struct FolderWalk {
   void enter(const fs::path& folder) {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
-    if (error || !entered.insert(real).second) {
-      if (!error) skip(folder, "link to a folder that was already searched");
-      return;
+    if (error) return skip(folder, error.message(), true);
+    if (!entered.insert(real).second) {
+      return skip(folder, fs::is_symlink(folder, error)
+                              ? "link to a folder that was already searched"
+                              : "folder that was already searched through a link to it");
     }
-    std::vector<fs::path> inside;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-      inside.push_back(at->path());
-    }
+    std::vector<fs::path> paths;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+      paths.push_back(entry->path());
     if (error) skip(folder, error.message(), true);
-    std::ranges::sort(inside, [](const fs::path& a, const fs::path& b) {
-      return natural_less(a.filename().string(), b.filename().string());
-    });
-    for (const fs::path& path : inside) visit(path);
+    std::ranges::sort(paths, natural_less,
+                      [](const fs::path& path) { return path.filename().string(); });
+    for (const fs::path& path : paths) visit(path);
   }
 
   void visit(const fs::path& path) {
@@ -56,9 +57,8 @@ struct FolderWalk {
       return skip(path, "its name contains control characters or is not UTF-8", true);
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) {
-      if (!results.empty() && fs::equivalent(path, results, error)) {
+      if (!results.empty() && fs::equivalent(path, results, error))
         return skip(path, "the output folder");
-      }
       if (fs::exists(path / "journal.sqlite", error))
         return skip(path, "the output folder of a run");
       return enter(path);
@@ -66,7 +66,7 @@ struct FolderWalk {
     if (fs::is_regular_file(status)) {
       found.files.push_back(path);
     } else {
-      skip(path, fs::exists(status) ? "not a regular file" : "cannot be read");
+      skip(path, fs::exists(status) ? "not a regular file" : "cannot be read: " + error.message());
     }
   }
 };

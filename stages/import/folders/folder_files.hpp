@@ -13,13 +13,13 @@ struct FolderFiles {
   std::vector<SkippedFile> left_out;         ///< skipped entries, with reasons
 };
 
-/// Lists the files of a folder. Links are followed, and each folder is entered once, regardless of
-/// the number of links to it. Skipped are hidden files, folders of earlier runs, `results`, entries
-/// that are not files, and entries that cannot be read or have a name that is invalid in a
-/// manifest. Throws InputError if the folder itself cannot be read.
+/// Lists the files of a folder. Links are followed, but no folder is entered twice. Skipped are
+/// hidden entries, folders of earlier runs, the folder `results` (empty: no such folder), folders
+/// that cannot be opened, and entries that are not regular files or have control characters or
+/// invalid UTF-8 in their names. Throws InputError if the folder itself cannot be opened.
 FolderFiles list_files(const std::filesystem::path& folder, const std::filesystem::path& results);
 
-/// Returns the names of the folders on a path, except for "." and "..".
+/// Returns the components of a path, except for "/", "." and "..".
 std::vector<std::string> folder_names(const std::filesystem::path& path);
 
 }  // namespace morphe::imports

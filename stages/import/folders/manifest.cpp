@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <type_traits>
 
 #include "core/config/fields.hpp"
@@ -66,12 +67,10 @@ std::vector<Label> read_labels(const config::ConfigNode& node, config::ErrorList
 }
 
 /// Returns an item of a list: the first key follows the dash.
-std::string list_item(const std::string& fields, std::size_t indent) {
-  std::string item = fields;
-  return item.replace(indent - 2, 1, "-");
+std::string list_item(std::string fields, std::size_t indent) {
+  return fields.replace(indent - 2, 1, "-");
 }
 
-/// Writes the fields of an entry that differ from their defaults.
 struct NonDefaultFields {
   config::FieldWriter& out;
 
@@ -91,6 +90,8 @@ struct NonDefaultFields {
   }
 };
 
+}  // namespace
+
 std::vector<std::string*> paths_of(ManifestEntry& entry) {
   return {&entry.file,
           &entry.static_trial,
@@ -99,8 +100,6 @@ std::vector<std::string*> paths_of(ManifestEntry& entry) {
           &entry.glove_calibration,
           &entry.names};
 }
-
-}  // namespace
 
 std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
   const config::ConfigNode root = config::ConfigNode::load(file);
@@ -128,7 +127,7 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
     }
-    for (ManifestEntry& one : split_by_hand(std::move(entry))) entries.push_back(std::move(one));
+    std::ranges::move(split_by_hand(std::move(entry)), std::back_inserter(entries));
   }
   root.report_unread_keys(problems);
   problems.throw_if_any();
@@ -140,10 +139,10 @@ std::vector<ManifestEntry> split_by_hand(ManifestEntry entry) {
   const std::string name = entry.name.empty() ? fs::path(entry.file).stem().string() : entry.name;
   std::vector<ManifestEntry> entries;
   for (const HandSelection hand : {HandSelection::right, HandSelection::left}) {
-    ManifestEntry& one = entries.emplace_back(entry);
-    one.hand = hand;
-    one.split_from_both = true;
-    one.name = fmt::format("{}_{}", name, name_of(hand));
+    ManifestEntry& split = entries.emplace_back(entry);
+    split.hand = hand;
+    split.split_from_both = true;
+    split.name = fmt::format("{}_{}", name, name_of(hand));
   }
   return entries;
 }
@@ -153,15 +152,15 @@ Side side_of(const ManifestEntry& entry) {
 }
 
 std::string manifest_text(std::vector<ManifestEntry> entries, const fs::path& folder) {
-  const fs::path here = fs::weakly_canonical(folder);
+  const fs::path base = fs::weakly_canonical(folder);
   std::string text = "recordings:\n";
   for (ManifestEntry& entry : entries) {
     for (std::string* path : paths_of(entry)) {
-      if (!path->empty()) *path = fs::weakly_canonical(*path).lexically_relative(here).string();
+      if (!path->empty()) *path = fs::weakly_canonical(*path).lexically_relative(base).string();
     }
     config::FieldWriter writer("    ");
-    NonDefaultFields said{writer};
-    own_fields(said, entry);
+    NonDefaultFields fields{writer};
+    own_fields(fields, entry);
     text += list_item(writer.text, 4);
     if (!entry.labels.empty()) text += "    labels:\n";
     for (Label& label : entry.labels) {

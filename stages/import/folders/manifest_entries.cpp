@@ -1,5 +1,8 @@
 #include "stages/import/folders/manifest_entries.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "stages/import/clips/readers.hpp"
 #include "stages/import/folders/read_recording.hpp"
 #include "stages/import/recording/format.hpp"
@@ -9,11 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void override_conventions(const Conventions& given, Conventions& said) {
-  if (!given.axes.empty()) said.axes = given.axes;
-  if (!given.unit.empty()) said.unit = given.unit;
-  if (given.rate_hz) said.rate_hz = given.rate_hz;
-  if (!given.joint_order.empty()) said.joint_order = given.joint_order;
+void override_conventions(const Conventions& given, Conventions& conventions) {
+  if (!given.axes.empty()) conventions.axes = given.axes;
+  if (!given.unit.empty()) conventions.unit = given.unit;
+  if (given.rate_hz) conventions.rate_hz = given.rate_hz;
+  if (!given.joint_order.empty()) conventions.joint_order = given.joint_order;
 }
 
 void set_hand_from_file(ManifestEntry& entry) {
@@ -21,14 +24,14 @@ void set_hand_from_file(ManifestEntry& entry) {
   try {
     const RecordingFormat* const format =
         entry.format.empty() ? recognised_format(entry.file) : nullptr;
-    const auto said = hand_in_file(entry.file, format != nullptr ? format->name : entry.format);
-    if (said) entry.hand = *said == Side::left ? HandSelection::left : HandSelection::right;
+    const auto side = hand_in_file(entry.file, format ? format->name : entry.format);
+    if (side) entry.hand = *side == Side::left ? HandSelection::left : HandSelection::right;
   } catch (const InputError&) {  // the error is reported by the import
   }
 }
 
-/// Returns false for one of the two entries of both hands if only the other hand is requested.
-bool is_asked_for(const ManifestEntry& entry, const std::optional<HandSelection>& hand) {
+/// Returns false for an entry split from both hands if only the other hand is requested.
+bool is_requested(const ManifestEntry& entry, const std::optional<HandSelection>& hand) {
   return !entry.split_from_both || !hand || *hand == HandSelection::both || *hand == *entry.hand;
 }
 
@@ -48,14 +51,12 @@ std::vector<ManifestEntry> entries_of(const ImportRequest& request, const fs::pa
     if (request.conventions.forward == ForwardSource::recorded)
       entry.conventions.forward = ForwardSource::recorded;
     if (!in_folder) override_conventions(request.conventions, entry.conventions);
-    if (!is_asked_for(entry, hand)) continue;
+    if (!is_requested(entry, hand)) continue;
     if (hand && !entry.split_from_both) entry.hand = hand;
     set_hand_from_file(entry);
-    if (entry.split_from_both) {
-      entries.push_back(std::move(entry));
-    } else {
-      for (ManifestEntry& one : split_by_hand(std::move(entry))) entries.push_back(std::move(one));
-    }
+    std::vector<ManifestEntry> split =
+        entry.split_from_both ? std::vector{std::move(entry)} : split_by_hand(std::move(entry));
+    std::ranges::move(split, std::back_inserter(entries));
   }
   return entries;
 }

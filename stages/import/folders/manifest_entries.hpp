@@ -9,14 +9,13 @@
 
 namespace morphe::imports {
 
-/// Returns the hand that reaches, if a file of that format contains it: only clips do. Throws
-/// InputError if the file is damaged.
+/// Returns the hand that reaches, if a clip states it. Throws InputError for a damaged clip.
 std::optional<Side> hand_in_file(const std::filesystem::path& file, const std::string& format);
 
-/// Returns the recordings of a manifest for a request, whose format, names and `forward: recorded`
-/// take precedence over the manifest's. The same holds for its other conventions and the hand if
-/// the manifest is given directly; in a folder the manifest takes precedence. If neither gives a
-/// hand, it is taken from the recording's file.
+/// Returns the recordings of a manifest. The format, names and `forward: recorded` of the request
+/// replace those of the manifest. If the manifest was given directly, not found in a folder
+/// (`in_folder`), axes, unit, rate, joint order and hand of the request do so too; entries of the
+/// other hand are left out. If neither gives a hand, the recording's file may (hand_in_file()).
 std::vector<ManifestEntry> entries_of(const ImportRequest& request,
                                       const std::filesystem::path& manifest, bool in_folder);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -14,7 +15,6 @@
 #include "stages/import/guess/unresolved_import.hpp"
 
 namespace morphe::imports {
-
 namespace {
 
 std::string read_file_head(const std::filesystem::path& file) {
@@ -27,9 +27,8 @@ std::string read_file_head(const std::filesystem::path& file) {
                     file.string()));
   }
   std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(status)) {
+  if (!stream || std::filesystem::is_directory(status))
     throw InputError(fmt::format("{}: cannot be read", file.string()));
-  }
   constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
   std::string head(kHeadSize_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
@@ -37,25 +36,24 @@ std::string read_file_head(const std::filesystem::path& file) {
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
 }
 
-const RecordingFormat& format_of(const std::string& file, const std::string& wanted) {
+const RecordingFormat& format_of(const std::string& file, const std::string& name) {
+  const auto named = std::ranges::find(recording_formats(), name, &RecordingFormat::name);
+  if (named != recording_formats().end()) return *named;
+  const RecordingFormat* const recognised = name.empty() ? recognised_format(file) : nullptr;
+  if (recognised) return *recognised;
   const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
-  for (const RecordingFormat& format : recording_formats()) {
-    if (wanted.empty() ? format.recognises(read_file_head(file)) : format.name == wanted)
-      return format;
-  }
-  throw InputError(wanted.empty()
+  throw InputError(name.empty()
                        ? fmt::format("{}:1: format: not recognised; known: {}", file, known)
-                       : fmt::format("{}: format: unknown '{}'; known: {}", file, wanted, known));
+                       : fmt::format("{}: format: unknown '{}'; known: {}", file, name, known));
 }
 
 }  // namespace
 
 const RecordingFormat* recognised_format(const std::filesystem::path& file) {
   const std::string head = read_file_head(file);
-  for (const RecordingFormat& format : recording_formats()) {
-    if (format.recognises(head)) return &format;
-  }
-  return nullptr;
+  const auto format = std::ranges::find_if(
+      recording_formats(), [&](const RecordingFormat& known) { return known.recognises(head); });
+  return format == recording_formats().end() ? nullptr : &*format;
 }
 
 Demonstration read_recording(const ManifestEntry& entry) {
@@ -76,9 +74,8 @@ Demonstration read_recording(const ManifestEntry& entry) {
                                  entry.file, name_of(demonstration.hand)));
   }
   align_heading(entry.conventions, demonstration);
-  for (const MarkerObject& object : entry.objects) {
+  for (const MarkerObject& object : entry.objects)
     add_marker_object(entry.file, object, demonstration);
-  }
   demonstration.name = entry.name;
   if (!entry.subject.empty()) demonstration.subject = entry.subject;
   if (!entry.task.empty()) demonstration.task = entry.task;
@@ -91,8 +88,8 @@ Demonstration read_recording(const ManifestEntry& entry) {
   if (!entry.labels.empty()) demonstration.labels = entry.labels;
   demonstration.import_notes.insert(demonstration.import_notes.end(), entry.notes.begin(),
                                     entry.notes.end());
-  if (const std::string fault = store::inconsistency(demonstration); !fault.empty())
-    throw InputError(fmt::format("{}: {}", entry.file, fault));
+  if (const std::string error = store::inconsistency(demonstration); !error.empty())
+    throw InputError(fmt::format("{}: {}", entry.file, error));
   return demonstration;
 }
 

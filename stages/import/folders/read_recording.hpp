@@ -8,11 +8,11 @@
 
 namespace morphe::imports {
 
-/// Reads the demonstration that an entry describes. Throws InputError as import_recordings() does.
+/// Reads the demonstration that an entry describes; its hand must not be `both`. Throws InputError
+/// as import_recordings() does, and UnresolvedImport as read_or_propose() does.
 Demonstration read_recording(const ManifestEntry& entry);
 
-/// Returns the format recognised from a file's first bytes, null if there is no such format. Throws
-/// InputError if the file cannot be read.
+/// Returns the format that recognises a file, or null. Throws InputError for unreadable files.
 const RecordingFormat* recognised_format(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

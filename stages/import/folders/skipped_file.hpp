@@ -7,18 +7,17 @@
 
 namespace morphe::imports {
 
-/// A file of a folder from which no demonstration was imported.
+/// A file or folder from which no demonstration was imported.
 struct SkippedFile {
-  std::filesystem::path file;  ///< file or folder
-  std::string reason;          ///< reason; lists contain only its first line
-  bool failed = false;         ///< true for a recording that could not be read
+  std::filesystem::path file;  ///< or folder
+  std::string reason;          ///< may have several lines, of which lists show the first
+  bool failed = false;         ///< true if it could not be read
 };
 
-/// Returns "FILE: why", or "FILE:LINE: why".
-std::string skip_message(const SkippedFile& one);
+/// Returns "FILE: REASON", or "FILE:LINE: REASON", with the first line of the reason.
+std::string skip_message(const SkippedFile& file);
 
-/// Creates a skipped file from an error. If the message starts with the file at fault, the reason
-/// does not repeat it.
+/// Creates a file that failed, with the error's message, less a leading name of the file.
 SkippedFile skipped_file_from_error(const std::filesystem::path& file, const InputError& error);
 
 }  // namespace morphe::imports

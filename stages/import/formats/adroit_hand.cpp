@@ -3,7 +3,6 @@
 // proximal and hub about x, then y, y). The tests check this on the recordings.
 #include "stages/import/formats/adroit_hand.hpp"
 
-#include <initializer_list>
 #include <numbers>
 
 namespace morphe::imports {
@@ -12,23 +11,12 @@ namespace {
 Pose turn(double angle, const Vec3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 Pose shift(const Vec3& offset) { return Pose(Eigen::Translation3d(offset)); }
 
-enum Column : std::size_t {
-  ARRx,
-  ARRy,
-  ARRz,
-  WRJ1,
-  WRJ0,
-  FFJ3,
-  MFJ3 = 9,
-  RFJ3 = 13,
-  LFJ4 = 17,
-  LFJ3,
-  THJ4 = 22
-};
+constexpr int ARRx = 0, ARRy = 1, ARRz = 2, WRJ1 = 3, WRJ0 = 4, FFJ3 = 5, MFJ3 = 9, RFJ3 = 13,
+              LFJ4 = 17, LFJ3 = 18, THJ4 = 22;
 
-/// Returns the fingertip relative to the knuckle for abduction and three flexions from column
-/// `first` on; phalanges of 45, 25 and 26 mm.
-Vec3 finger_tip(const AdroitAngles& q, std::size_t first) {
+/// Returns the fingertip relative to the knuckle. Angle `first` is the abduction; three flexions
+/// follow it. The phalanges are 45, 25 and 26 mm long.
+Vec3 finger_tip(const AdroitAngles& q, int first) {
   const Vec3 x = Vec3::UnitX(), z = Vec3::UnitZ();
   return turn(q[first], Vec3::UnitY()) * turn(q[first + 1], x) * shift(0.045 * z) *
          turn(q[first + 2], x) * shift(0.025 * z) * turn(q[first + 3], x) * Vec3(0.026 * z);

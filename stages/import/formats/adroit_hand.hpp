@@ -7,21 +7,19 @@
 
 namespace morphe::imports {
 
-/// The joint columns of an Adroit recording, in order: forearm, wrist, index, middle, ring, little,
-/// thumb. The forearm's slide ARTz is not recorded.
+/// The joint columns of an Adroit recording: forearm, wrist, index, middle, ring, little, thumb.
+/// The forearm's slide ARTz is not recorded.
 inline constexpr const char* kAdroitJoints[] = {
     "ARRx", "ARRy", "ARRz", "WRJ1", "WRJ0", "FFJ3", "FFJ2", "FFJ1", "FFJ0",
     "MFJ3", "MFJ2", "MFJ1", "MFJ0", "RFJ3", "RFJ2", "RFJ1", "RFJ0", "LFJ4",
     "LFJ3", "LFJ2", "LFJ1", "LFJ0", "THJ4", "THJ3", "THJ2", "THJ1", "THJ0"};
-/// Number of joint columns.
-inline constexpr std::size_t kAdroitJointCount = std::size(kAdroitJoints);
-using AdroitAngles = std::array<double, kAdroitJointCount>;  ///< [rad]
+inline constexpr std::size_t kAdroitJointCount = std::size(kAdroitJoints);  ///< number of columns
+using AdroitAngles = std::array<double, kAdroitJointCount>;                 ///< [rad]
 
-/// Returns the world pose of the palm for a slide of the forearm [m]:
+/// Returns the palm's pose in the world; the forearm has moved along its slide by `slide_m`:
 ///   T(0, -0.7, 0.2) RxRyRz(-1.57, 0, 3.14) T(z slide) Rx(ARRx) Ry(ARRy) Rz(ARRz)
 ///   T(z 0.396) Ry(WRJ1) T(z 0.032) Rx(WRJ0).
-/// The palm frame has its origin at the wrist, z to the fingers, the palm facing -y, and x to the
-/// thumb's side.
+/// Palm frame: origin at the wrist, z to the fingers, the palm facing -y, x to the thumb's side.
 Pose adroit_world_from_palm(const AdroitAngles& angles, double slide_m);
 
 /// Returns the point recorded as "palm xyz", in the palm frame [m].
@@ -31,8 +29,7 @@ inline Vec3 adroit_palm_point() { return {0.007, -0.051, 0.073}; }
 /// hand's chains, each to the end of its distal phalanx's axis.
 std::array<Vec3, 5> adroit_fingertips(const AdroitAngles& angles);
 
-/// Returns palm_from_hand: the axes of HumanMotion (z to the fingers, y to the thumb's side, x out
-/// of the palm) in the palm frame.
+/// Returns palm_from_hand, the axes of HumanMotion's hand frame in the palm frame.
 Eigen::Matrix3d adroit_palm_from_hand();
 
 }  // namespace morphe::imports

@@ -8,11 +8,12 @@
 #include "stages/import/formats/c3d_file.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// Returns "+X", "-Z", "Y" as a vector; zero for other texts.
+/// Returns the unit vector that "+X", "-Z" or "Y" denotes; zero for other texts.
 Vec3 axis_of(std::string text) {
   const double sign = text.starts_with('-') ? -1 : 1;
   if (text.starts_with('-') || text.starts_with('+')) text.erase(0, 1);
@@ -35,19 +36,17 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   const Vec3 forward = up.cross(right);
   if (conventions.axes.empty() && !forward.isZero()) {
     recording.axes = fmt::format("{} {} {}", axis_word(right), axis_word(forward), axis_word(up));
-    recording.import_notes.push_back(
-        fmt::format("axes '{}' from POINT:X_SCREEN and Y_SCREEN; the subject is assumed to face "
-                    "into the screen",
-                    recording.axes));
+    add_note(recording.import_notes,
+             "axes '{}' from POINT:X_SCREEN and Y_SCREEN; the subject is assumed to face into the "
+             "screen",
+             recording.axes);
   }
   MarkerStream& markers = recording.markers;
   markers.names = std::move(points.labels);
   markers.position = std::move(points.position);
   for (Vec3& point : markers.position.values) point *= metres;
-  for (std::size_t i = 0; i < markers.position.rows; ++i) {
-    const auto frame = static_cast<double>(points.first_frame + i);
-    markers.time.push_back((frame - 1) / rate_hz);
-  }
+  for (std::size_t i = 0; i < markers.position.rows; ++i)
+    markers.time.push_back((static_cast<double>(points.first_frame + i) - 1) / rate_hz);
   return recording;
 }
 

@@ -12,10 +12,10 @@ void C3dBytes::fail(std::size_t offset, std::string_view message) const {
   throw InputError(fmt::format("{}: byte {}: {}", file, offset, message));
 }
 
-void C3dBytes::require(std::size_t offset, std::size_t count, std::string_view what) const {
+void C3dBytes::require(std::size_t offset, std::size_t count, std::string_view part) const {
   if (offset <= bytes.size() && count <= bytes.size() - offset) return;
   fail(offset,
-       fmt::format("{} needs {} bytes, but the file ends at byte {}", what, count, bytes.size()));
+       fmt::format("{} needs {} bytes, but the file ends at byte {}", part, count, bytes.size()));
 }
 
 std::uint8_t C3dBytes::byte(std::size_t offset) const {
@@ -42,8 +42,7 @@ float C3dBytes::real(std::size_t offset) const {
   const std::uint32_t first = word(offset), second = word(offset + 2);
   if (processor == C3dProcessor::intel) return std::bit_cast<float>(second << 16 | first);
   const float value = std::bit_cast<float>(first << 16 | second);
-  // DEC counts exponents from 128 and the leading 1 as a half: the same bits have a fourth of the
-  // value.
+  // DEC's exponents have the bias 128, not 127, and its mantissas the range [0.5, 1), not [1, 2).
   return processor == C3dProcessor::dec ? value / 4 : value;
 }
 

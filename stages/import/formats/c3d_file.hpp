@@ -20,10 +20,9 @@ struct C3dPoints {
   std::vector<std::string> import_notes;  ///< disagreements of header, parameters and data
 };
 
-/// Reads header, parameters and points, skipping analog samples. Intel, DEC and SGI processors,
+/// Reads header, parameters and points, not the analog samples. Intel, DEC and SGI processors,
 /// floats and scaled integers are supported. Throws InputError "FILE: byte N: …" or "FILE:
-/// POINT:KEY: …" for references outside the file, missing data, or contradictions that make the
-/// points ambiguous.
+/// POINT:KEY: …" for references outside the file, missing data and ambiguous points.
 C3dPoints read_c3d_points(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

@@ -36,7 +36,7 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
   std::map<int, std::string> groups;
   std::vector<Named> parameters;
   for (std::size_t offset = start + 4;;) {
-    const auto length = static_cast<std::size_t>(std::abs(signed_byte(bytes, offset)));
+    const int length = std::abs(signed_byte(bytes, offset));
     if (length == 0) break;
     const int group = signed_byte(bytes, offset + 1);
     const std::string name = to_upper(bytes.text(offset + 2, length));
@@ -52,33 +52,29 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
     if (step == 0) break;
     offset = after_name + step;
   }
-  for (Named& parameter : parameters) {
+  for (Named& parameter : parameters)
     records_[groups[parameter.group] + ":" + parameter.name] = std::move(parameter.record);
-  }
 }
 
 C3dParameters::Record C3dParameters::read_record(std::size_t offset, std::size_t end,
                                                  const std::string& name) const {
   Record record;
   record.type = signed_byte(bytes_, offset);
-  if (record.type != -1 && record.type != 1 && record.type != 2 && record.type != 4) {
+  if (record.type != -1 && record.type != 1 && record.type != 2 && record.type != 4)
     bytes_.fail(offset, fmt::format("parameter {} has the unknown type {}", name, record.type));
-  }
   const std::size_t dimensions = bytes_.byte(offset + 1);
-  if (dimensions > 7) {
+  if (dimensions > 7)
     bytes_.fail(offset + 1, fmt::format("parameter {} has {} dimensions", name, dimensions));
-  }
   record.count = 1;
   for (std::size_t d = 0; d < dimensions; ++d) {
     record.dimensions.push_back(bytes_.byte(offset + 2 + d));
     record.count *= record.dimensions.back();
   }
   record.offset = offset + 2 + dimensions;
-  const std::size_t size = record.count * static_cast<std::size_t>(std::abs(record.type));
+  const std::size_t size = record.count * std::abs(record.type);
   bytes_.require(record.offset, size, "parameter " + name);
-  if (record.offset + size > end) {
+  if (record.offset + size > end)
     bytes_.fail(record.offset, fmt::format("parameter {} overlaps the next one", name));
-  }
   return record;
 }
 
@@ -89,10 +85,10 @@ std::vector<double> C3dParameters::numbers(const std::string& key) const {
   if (record.type < 0) fail(key, "must be a number");
   std::vector<double> values;
   for (std::size_t i = 0; i < record.count; ++i) {
-    const std::size_t at = record.offset + i * static_cast<std::size_t>(record.type);
-    values.push_back(record.type == 1   ? bytes_.byte(at)
-                     : record.type == 2 ? bytes_.word(at)
-                                        : static_cast<double>(bytes_.real(at)));
+    const std::size_t offset = record.offset + i * record.type;
+    values.push_back(record.type == 1   ? bytes_.byte(offset)
+                     : record.type == 2 ? bytes_.word(offset)
+                                        : static_cast<double>(bytes_.real(offset)));
   }
   return values;
 }
@@ -104,8 +100,8 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
   if (record.type >= 0) fail(key, "must be text");
   const std::size_t length = record.dimensions.empty() ? 1 : record.dimensions[0];
   std::vector<std::string> texts;
-  for (std::size_t at = 0; length > 0 && at < record.count; at += length) {
-    std::string& text = texts.emplace_back(bytes_.text(record.offset + at, length));
+  for (std::size_t i = 0; length > 0 && i < record.count; i += length) {
+    std::string& text = texts.emplace_back(bytes_.text(record.offset + i, length));
     while (!text.empty() && (text.back() == ' ' || text.back() == '\0')) text.pop_back();
     if (!is_printable(text)) fail(key, "contains characters that are not text");
     if (!files::is_utf8(text)) text = files::utf8_from_latin1(text);
@@ -113,9 +109,9 @@ std::vector<std::string> C3dParameters::texts(const std::string& key) const {
   return texts;
 }
 
-double C3dParameters::number(const std::string& key, double otherwise) const {
+double C3dParameters::number(const std::string& key, double fallback) const {
   const std::vector<double> values = numbers(key);
-  return values.empty() ? otherwise : values[0];
+  return values.empty() ? fallback : values[0];
 }
 
 std::string C3dParameters::text(const std::string& key) const {

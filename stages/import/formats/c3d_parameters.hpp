@@ -17,20 +17,19 @@ class C3dParameters {
 
   /// Returns true if the parameter exists.
   bool has(const std::string& key) const { return records_.contains(key); }
-  /// Returns all values of a parameter; empty if it is absent. Throws InputError "FILE: KEY: …" if
-  /// it is of another type. Integers of two bytes range from 0 to 65535; texts have no trailing
-  /// spaces.
+  /// Returns all values of a parameter; empty if absent. Throws InputError "FILE: KEY: …" for
+  /// another type. Integers of two bytes are 0 to 65535; texts have no trailing spaces.
   std::vector<double> numbers(const std::string& key) const;
   std::vector<std::string> texts(const std::string& key) const;
-  /// Returns the first value, or the default if it is absent.
-  double number(const std::string& key, double otherwise) const;
+  /// Returns the first value; `fallback`, or "", if it is absent.
+  double number(const std::string& key, double fallback) const;
   std::string text(const std::string& key) const;
   /// Throws InputError "FILE: KEY: …".
   [[noreturn]] void fail(const std::string& key, const std::string& message) const;
 
  private:
   struct Record {
-    int type = 0;  ///< -1 for text, otherwise the bytes of a number
+    int type = 0;  ///< -1 for text, otherwise the number of bytes of a value
     std::vector<std::size_t> dimensions;
     std::size_t offset = 0, count = 0;
   };

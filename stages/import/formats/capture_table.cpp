@@ -7,26 +7,19 @@
 #include <string_view>
 
 #include "core/motion/geometry.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
-namespace {
 
-using Columns = CaptureColumns;
-
-bool is_missing_cell(std::string_view cell) {
-  return cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN";
-}
-
-}  // namespace
-
-CaptureTable read_capture_table(const files::CsvText& csv, const Columns& columns, double rate_hz) {
+CaptureTable read_capture_table(const files::CsvText& csv, const CaptureColumns& columns,
+                                double rate_hz) {
   if (csv.lines.size() < 2) csv.fail(1, "", "ends before the first row");
   std::vector<bool> needed(columns.names.size(), true);
-  for (std::size_t c = 0; c < needed.size(); ++c) {
+  for (std::size_t c = 0; c < needed.size(); ++c)
     needed[c] = std::ranges::find(columns.left_out, columns.names[c]) == columns.left_out.end();
-  }
-  const std::size_t clock = columns.time != Columns::kNoColumn ? columns.time : columns.frame;
-  const double step = columns.time != Columns::kNoColumn ? 1 : 1 / rate_hz;
+  const bool has_time = columns.time != CaptureColumns::kNoColumn;
+  const int clock = has_time ? columns.time : columns.frame;
+  const double unit_s = has_time ? 1 : 1 / rate_hz;
   CaptureTable rows;
   rows.columns = columns.names.size();
   rows.values.reserve((csv.lines.size() - 1) * rows.columns);
@@ -38,22 +31,19 @@ CaptureTable read_capture_table(const files::CsvText& csv, const Columns& column
                fmt::format("the row has {} cells, the header has {}", cells.size(), rows.columns));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      rows.values.push_back(!needed[c] || is_missing_cell(cells[c])
-                                ? kUnknown
-                                : csv.number(line, columns.names[c], cells[c]));
+      const std::string_view cell = cells[c];
+      const bool missing = cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN";
+      rows.values.push_back(needed[c] && !missing ? csv.number(line, columns.names[c], cell)
+                                                  : kUnknown);
     }
     const double now = rows[rows.time.size()][clock];
     if (!std::isfinite(now)) csv.fail(line, columns.names[clock], "is empty");
-    if (line == 2 && columns.time == Columns::kNoColumn) first = now;
-    const double t = (now - first) * step;
-    constexpr double kHour = 3600;
-    if (!rows.time.empty() && !(t > rows.time.back())) {
-      csv.fail(line, columns.names[clock], "must be greater than in the previous row");
-    }
-    if (!rows.time.empty() && t - rows.time.back() > kHour) {
+    if (line == 2 && !has_time) first = now;
+    constexpr double kHour_s = 3600;
+    add_time((now - first) * unit_s, csv.file, line, columns.names[clock], rows.time);
+    const std::size_t count = rows.time.size();
+    if (count > 1 && rows.time[count - 1] - rows.time[count - 2] > kHour_s)
       csv.fail(line, columns.names[clock], "increases by more than one hour");
-    }
-    rows.time.push_back(t);
   }
   return rows;
 }

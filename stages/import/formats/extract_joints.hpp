@@ -4,10 +4,10 @@
 
 namespace morphe::imports {
 
-/// Moves points that are named as joints (right_shoulder, left_index_tip, …), which are not markers
-/// on the skin, to a skeleton without parents and orientations. If all 21 points of the recorded
-/// hand exist without an arm, and the wrist or the centre of the hand is always at rest, they
-/// become keypoints instead, since they have no position in the world. This is added to `reports`.
+/// Moves markers that are named as joints (right_shoulder, left_index_tip, …), and so are not on
+/// the skin, to a skeleton without parents and orientations. If they are exactly the 21 points of
+/// the recorded hand, and its wrist or centre stays within 5 cm, they are in the frame of the hand
+/// and become keypoints instead. Both are noted in `import_notes`. The markers must exist.
 void extract_joints(Side hand, Demonstration& demonstration);
 
 }  // namespace morphe::imports

@@ -13,9 +13,8 @@ std::map<std::string, SensorCalibration> read_glove_calibration(const std::files
   std::map<std::string, SensorCalibration> calibration;
   for (const std::string& sensor : root.keys()) {
     const config::ConfigNode node = root[sensor];
-    if (std::ranges::find(human::kGloveSensors, sensor) == std::end(human::kGloveSensors)) {
+    if (std::ranges::find(human::kGloveSensors, sensor) == std::end(human::kGloveSensors))
       node.fail("is not a sensor of a CyberGlove II");
-    }
     const SensorCalibration points = {node["raw_low"].number(), node["angle_low"].number(),
                                       node["raw_high"].number(), node["angle_high"].number()};
     if (points.raw_low == points.raw_high) node.fail("raw_low and raw_high must differ");

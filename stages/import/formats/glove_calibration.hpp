@@ -16,11 +16,8 @@ struct SensorCalibration {
 };
 
 /// Reads a calibration by sensor (kGloveSensors) from YAML:
-///
 ///     ThumbRotate: {raw_low: 0, angle_low: -60 deg, raw_high: 0.42, angle_high: 100 deg}
-///
-/// Throws InputError for a name that is not a sensor, a missing or unknown key and equal raw
-/// values.
+/// Throws InputError for an unknown sensor, a missing or unknown key and equal raw values.
 std::map<std::string, SensorCalibration> read_glove_calibration(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

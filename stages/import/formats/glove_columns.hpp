@@ -10,9 +10,9 @@
 
 namespace morphe::imports {
 
-/// Reads the glove of a capture table, all kGloveSensors in rad: NaN for those missing in the file,
-/// which are reported, as are those without a number. Throws InputError for raw counts without
-/// calibration and an angle of more than half a turn.
+/// Reads the glove of a capture table: the angles of all kGloveSensors [rad], NaN if missing.
+/// Reports sensors without a column or any value. `calibration` is by sensor. Throws InputError for
+/// raw counts of a sensor that is not in it, and for an angle of more than half a turn.
 HandStream read_glove_columns(const files::CsvText& csv, const CaptureColumns& columns,
                               const CaptureTable& rows,
                               const std::map<std::string, SensorCalibration>& calibration,

@@ -13,27 +13,23 @@
 namespace morphe::imports {
 namespace {
 
-/// Reads the streams of one or two files; a stream in both is an error.
+/// Reads the streams of `first` and the glove in `second`; either may be "".
 Streams read_pair(const std::filesystem::path& first, const std::filesystem::path& second,
                   const RecordingFiles& files, std::vector<std::string>& used,
                   std::vector<std::string>& reports) {
   Streams streams;
   if (!first.empty()) streams = read_capture_file(first, files, used, reports);
   if (second.empty()) return streams;
-  Streams more = read_capture_file(second, files, used, reports);
-  if (!more.hand) {
-    throw InputError(fmt::format("{}:1: has no column of a glove sensor", second.string()));
+  Streams glove = read_capture_file(second, files, used, reports);
+  const std::string file = second.string();
+  if (!glove.hand) throw InputError(file + ":1: has no column of a glove sensor");
+  if (glove.sensors || glove.markers) {
+    throw InputError(file +
+                     ":1: has tracked bodies besides the glove; give them in the other file");
   }
-  if (more.sensors || more.markers) {
-    throw InputError(
-        fmt::format("{}:1: has tracked bodies besides the glove; give them in the other file",
-                    second.string()));
-  }
-  if (streams.hand) {
-    throw InputError(
-        fmt::format("{}: {} already has the glove sensors", second.string(), first.string()));
-  }
-  streams.hand = std::move(more.hand);
+  if (streams.hand)
+    throw InputError(fmt::format("{}: {} already has the glove sensors", file, first.string()));
+  streams.hand = std::move(glove.hand);
   return streams;
 }
 
@@ -52,14 +48,12 @@ bool recognises_liberty_csv(std::string_view head) {
 
 Demonstration read_liberty_csv(const RecordingFiles& files) {
   Demonstration demonstration;
-  std::vector<std::string> used, still;
-  demonstration.streams =
-      read_pair(files.file, files.glove, files, used, demonstration.import_notes);
+  std::vector<std::string>& notes = demonstration.import_notes;
+  std::vector<std::string> used, calibration_notes;
+  demonstration.streams = read_pair(files.file, files.glove, files, used, notes);
   demonstration.calibration =
-      read_pair(files.static_trial, files.glove_static_trial, files, used, still);
-  for (const std::string& report : still) {
-    demonstration.import_notes.push_back("calibration pose: " + report);
-  }
+      read_pair(files.static_trial, files.glove_static_trial, files, used, calibration_notes);
+  for (const std::string& note : calibration_notes) notes.push_back("calibration pose: " + note);
   for (const auto& entry : files.name_map) {
     if (std::ranges::find(used, entry.first) == used.end()) {
       throw InputError(fmt::format("{}: names: '{}' is to be renamed but is not in the recording",
@@ -67,15 +61,12 @@ Demonstration read_liberty_csv(const RecordingFiles& files) {
     }
   }
   if (demonstration.calibration.sensors && demonstration.streams.sensors) {
-    demonstration.sensor_offsets =
-        human::sensor_offsets(demonstration.calibration, demonstration.import_notes);
+    demonstration.sensor_offsets = human::sensor_offsets(demonstration.calibration, notes);
   } else if (demonstration.streams.sensors) {
-    demonstration.import_notes.push_back(
-        "no calibration pose: the sensors are assumed to be at the joints");
+    notes.push_back("no calibration pose: the sensors are assumed to be at the joints");
   }
-  if (demonstration.streams.hand && !demonstration.calibration.hand) {
-    demonstration.import_notes.push_back("no flat hand recorded: the zero of the glove is used");
-  }
+  if (demonstration.streams.hand && !demonstration.calibration.hand)
+    notes.push_back("no flat hand recorded: the zero of the glove is used");
   return demonstration;
 }
 

@@ -6,11 +6,6 @@
 #include <set>
 
 namespace morphe::imports {
-namespace {
-
-bool not_a_number(std::string_view cell) { return cell == "NaN" || cell == "nan" || cell == "NAN"; }
-
-}  // namespace
 
 std::string MarkerColumns::name(std::size_t column) const {
   if (column < kLeadingCount) return leading[column];
@@ -52,21 +47,17 @@ void read_points(const files::CsvText& csv, std::size_t line,
     if (!cells[c].empty()) wrong_count(fmt::format("column {}", c + 1));
   }
   for (std::size_t k = 0; k < columns.names.size(); ++k) {
-    Vec3 point;
-    int filled = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    Vec3 point = unknown_point();
+    for (int axis = 0; axis < 3; ++axis) {
       const std::size_t c = MarkerColumns::kLeadingCount + 3 * k + axis;
-      if (cells[c].empty() || not_a_number(cells[c])) continue;
-      const std::optional<double> value = files::finite_number(cells[c]);
-      if (!value) csv.number(line, columns.name(c), cells[c]);  // fails with the location
+      const std::string_view cell = cells[c];
+      if (cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN") continue;
+      const std::optional<double> value = files::finite_number(cell);
+      if (!value) csv.number(line, columns.name(c), cell);  // fails with the location
       point[axis] = *value * metres;
-      ++filled;
     }
-    if (filled == 3) {
-      position(row, k) = point;
-    } else if (filled != 0) {
-      csv.fail(line, columns.names[k], "has only some of X, Y, Z");
-    }
+    if (is_partial(point)) csv.fail(line, columns.names[k], "has only some of X, Y, Z");
+    position(row, k) = point;
   }
 }
 

@@ -10,25 +10,26 @@
 
 namespace morphe::imports {
 
-/// The marker columns of Vicon's CSV and TRC: two leading columns, then X, Y and Z of each marker,
-/// whose name is above its X.
+/// The columns of Vicon's CSV and TRC: two leading ones, then X, Y and Z of each marker.
 struct MarkerColumns {
   static constexpr std::size_t kLeadingCount = 2;  ///< columns before the first marker's
-  std::string leading[kLeadingCount];              ///< names of the first two columns
-  std::vector<std::string> names;                  ///< [K]
+  std::string leading[kLeadingCount];              ///< names of these columns
+  std::vector<std::string> names;                  ///< [K] of the markers
 
-  /// Returns the number of columns.
-  std::size_t count() const { return kLeadingCount + 3 * names.size(); }
-  std::string name(std::size_t column) const;  ///< name for messages: "RFTP.X"
+  std::size_t count() const { return kLeadingCount + 3 * names.size(); }  ///< of columns
+  std::string name(std::size_t column) const;  ///< for messages: "RFTP.X"
 };
 
-/// Reads the names in a line; trailing empty cells are ignored. Throws InputError for a name in
-/// another column, a marker without a name, a repeated name, and a line without names.
+/// Returns true if some coordinates of a point are NaN, but not all.
+inline bool is_partial(const Vec3& point) { return point.hasNaN() && !point.array().isNaN().all(); }
+
+/// Reads the markers' names in a line, each above the marker's X; trailing empty cells are ignored.
+/// Throws InputError for a name elsewhere, a missing or repeated name, and a line without names.
 std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line);
 
-/// Reads a marker's three cells of a row, times `metres`. An empty cell, or NaN in all three, means
-/// not seen. Throws InputError for a row with too few cells or text after the last marker's, a cell
-/// that is not a number, and a marker with some of X, Y, Z but not all.
+/// Reads the markers in the `cells` of a line, times `metres`, into row `row` of `position`. Three
+/// cells that are empty or NaN mean not seen. Throws InputError for too few cells, text after the
+/// last marker's cells, a cell that is not a number, and a marker with only some of X, Y, Z.
 void read_points(const files::CsvText& csv, std::size_t line,
                  const std::vector<std::string_view>& cells, const MarkerColumns& columns,
                  double metres, Array2D<Vec3>& position, std::size_t row);

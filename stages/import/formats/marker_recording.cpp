@@ -4,13 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
-#include "core/motion/input_error.hpp"
 #include "stages/import/formats/extract_joints.hpp"
 #include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_checks.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/world_checks.hpp"
@@ -18,7 +16,7 @@
 namespace morphe::imports {
 namespace {
 
-constexpr double kMaxMarkerSpread_m = 30, kMinMarkerSpread_m = 0.002;  // [m]
+constexpr double kMaxMarkerSpread_m = 30, kMinMarkerSpread_m = 0.002;
 
 /// Returns the diagonal of the box around all seen points, NaN if no point was seen.
 double extent(const Array2D<Vec3>& position) {
@@ -30,47 +28,39 @@ double extent(const Array2D<Vec3>& position) {
 }
 
 void hide_points_at_origin(MarkerRecording& recording) {
-  std::size_t hidden = 0;
+  int hidden = 0;
   for (Vec3& point : recording.markers.position.values) {
     if (!point.isZero(0)) continue;
     point = unknown_point();
     ++hidden;
   }
   if (hidden > 0) {
-    recording.import_notes.push_back(
-        fmt::format("{} points are exactly at the origin; treated as not visible", hidden));
+    add_note(recording.import_notes, "{} points are exactly at the origin; treated as not visible",
+             hidden);
   }
-}
-
-bool ever_seen(const MarkerStream& markers, std::size_t k) {
-  for (std::size_t i = 0; i < markers.time.size(); ++i) {
-    if (is_known(markers.position(i, k))) return true;
-  }
-  return false;
 }
 
 void report_never_seen(MarkerRecording& recording) {
   const MarkerStream& markers = recording.markers;
-  std::vector<std::string> never;
+  std::vector<std::string> never_seen;
   for (std::size_t k = 0; k < markers.names.size(); ++k) {
-    if (!ever_seen(markers, k)) never.push_back(markers.names[k]);
+    if (!any_known(markers.position, k)) never_seen.push_back(markers.names[k]);
   }
-  if (markers.names.empty()) return;
-  if (never.size() == markers.names.size()) {
+  if (never_seen.empty()) return;
+  if (never_seen.size() == markers.names.size()) {
     recording.import_notes.push_back("no marker is visible in any frame");
-  } else if (!never.empty()) {
-    recording.import_notes.push_back(fmt::format("never visible: {}", fmt::join(never, ", ")));
+  } else {
+    add_note(recording.import_notes, "never visible: {}", fmt::join(never_seen, ", "));
   }
 }
 
-/// Reports a missing static trial: joints are located by it, or by landmarks in the recording
-/// itself.
+/// Reports that there is no static trial to locate the joints, unless the recording has landmarks.
 void report_no_static(Demonstration& demonstration) {
   if (!demonstration.streams.markers || demonstration.streams.skeleton) return;
   const MarkerStream& markers = *demonstration.streams.markers;
   std::vector<std::string> parts;
   for (std::size_t k = 0; k < markers.names.size(); ++k) {
-    if (ever_seen(markers, k)) parts.push_back(body_part(markers.names[k]));
+    if (any_known(markers.position, k)) parts.push_back(body_part(markers.names[k]));
   }
   const auto any = [&](std::string_view end) {
     return std::ranges::any_of(parts, [&](const auto& part) { return part.ends_with(end); });
@@ -79,51 +69,41 @@ void report_no_static(Demonstration& demonstration) {
   if (any("elbow, outer") && any("elbow, inner") && any("wrist, thumb") && any(" shoulder")) return;
   demonstration.import_notes.push_back(
       "no static trial: joint centres are estimated from the relative rotation of marker clusters; "
-      "in the shipped "
-      "trials this displaced the shoulder by 39 to 65 mm, elbow and wrist by up to 25 mm; give one "
-      "with --static-trial or `static_trial:`");
+      "in the shipped trials this displaced the shoulder by 39 to 65 mm, elbow and wrist by up to "
+      "25 mm; give one with --static-trial or `static_trial:`");
 }
 
 void bring_into_world(MarkerRecording& recording, const std::string& source,
-                      const std::string& given, const std::string& usual) {
-  std::string axes = given;
-  if (axes.empty()) axes = recording.axes;
-  if (axes.empty() && !usual.empty()) {
-    axes = usual;
-    recording.import_notes.push_back(
-        fmt::format("axes not in the file; assumed '{}' (right, forward, up)", usual));
-  }
+                      const std::string& given_axes, const std::string& usual_axes) {
+  std::string axes = given_axes.empty() ? recording.axes : given_axes;
   if (axes.empty()) {
-    throw UnresolvedConvention(
-        "axes", fmt::format("{}: axes: the file does not state which axes point right, forward and "
-                            "up; give --axes or `axes:` such as 'x y z'",
-                            source));
+    if (usual_axes.empty()) throw_unknown_axes(source);
+    axes = usual_axes;
+    add_note(recording.import_notes, "axes not in the file; assumed '{}' (right, forward, up)",
+             axes);
   }
-  const Eigen::Matrix3d turn = world_from_recorded(axes, source);
-  for (Vec3& point : recording.markers.position.values) point = turn * point;
-  for (Vec3& point : recording.bodies.poses.position.values) point = turn * point;
-  for (Quat& rotation : recording.bodies.poses.orientation.values) {
-    rotation = (Quat(turn) * rotation).normalized();
-  }
-  recording.axes = axes;
+  const Eigen::Matrix3d world_from_file = world_from_recorded(axes, source);
+  for (Vec3& point : recording.markers.position.values) point = world_from_file * point;
+  for (Vec3& point : recording.bodies.poses.position.values) point = world_from_file * point;
+  for (Quat& rotation : recording.bodies.poses.orientation.values)
+    rotation = (Quat(world_from_file) * rotation).normalized();
 }
 
 void check_extent(const MarkerRecording& recording, const std::string& source) {
-  const double apart = extent(recording.markers.position);
-  const bool whole_hand = recording.markers.names.size() >= 3;
-  if (apart > kMaxMarkerSpread_m || (whole_hand && apart > 0 && apart < kMinMarkerSpread_m)) {
+  const double extent_m = extent(recording.markers.position);
+  const bool may_be_hand = recording.markers.names.size() >= 3;
+  if (extent_m > kMaxMarkerSpread_m ||
+      (may_be_hand && extent_m > 0 && extent_m < kMinMarkerSpread_m)) {
     throw UnresolvedConvention(
         "unit",
         fmt::format(
             "{}: unit: implausible: the markers extend over {:.3g} m; give --unit or `unit:`",
-            source, apart));
+            source, extent_m));
   }
 }
 
 MarkerRecording read_into_world(const std::filesystem::path& file, const RecordingFiles& files,
-                                MarkerRecording (*read)(const std::filesystem::path&,
-                                                        const Conventions&),
-                                const std::string& usual_axes) {
+                                MarkerReader read, const std::string& usual_axes) {
   MarkerRecording recording = read(file, files.conventions);
   hide_points_at_origin(recording);
   bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
@@ -131,11 +111,11 @@ MarkerRecording read_into_world(const std::filesystem::path& file, const Recordi
   return recording;
 }
 
-/// Applies a name map; markers and bodies share one set of names.
+/// Applies a name map to markers and bodies together, whose names must differ.
 void rename_all(const std::string& file, const std::map<std::string, std::string>& renamed,
                 MarkerRecording& recording) {
-  std::vector<std::string>&markers = recording.markers.names,
-  &bodies = recording.bodies.poses.names;
+  std::vector<std::string>& markers = recording.markers.names;
+  std::vector<std::string>& bodies = recording.bodies.poses.names;
   std::vector<std::string> all = markers;
   all.insert(all.end(), bodies.begin(), bodies.end());
   apply_name_map(file, renamed, all);
@@ -144,27 +124,25 @@ void rename_all(const std::string& file, const std::map<std::string, std::string
   bodies.assign(first_body, all.end());
 }
 
-bool has(const MarkerRecording& recording, const std::string& name) {
-  const auto among = [&](const std::vector<std::string>& names) {
-    return std::ranges::find(names, name) != names.end();
-  };
-  return among(recording.markers.names) || among(recording.bodies.poses.names);
+bool has_name(const MarkerRecording& recording, const std::string& name) {
+  return name_index(recording.markers.names, name) >= 0 ||
+         name_index(recording.bodies.poses.names, name) >= 0;
 }
 
-/// Applies the name map to a recording and its static trial, either of which may lack markers of
-/// the other.
-void rename_both(const RecordingFiles& files, MarkerRecording& recording, MarkerRecording& still) {
-  std::map<std::string, std::string> here, there;
+/// Applies the name map to recording and static trial; a name may be in only one of them.
+void rename_both(const RecordingFiles& files, MarkerRecording& recording,
+                 MarkerRecording& static_recording) {
+  std::map<std::string, std::string> recording_map, static_map;
   for (const auto& entry : files.name_map) {
-    const bool in_still = has(still, entry.first);
-    if (in_still) there.insert(entry);
-    if (has(recording, entry.first) || !in_still) here.insert(entry);
+    const bool in_static = has_name(static_recording, entry.first);
+    if (in_static) static_map.insert(entry);
+    if (has_name(recording, entry.first) || !in_static) recording_map.insert(entry);
   }
-  rename_all(files.file.string(), here, recording);
-  rename_all(files.static_trial.string(), there, still);
+  rename_all(files.file.string(), recording_map, recording);
+  rename_all(files.static_trial.string(), static_map, static_recording);
 }
 
-/// Checks points that are named as joints like a tracker's hands.
+/// Checks the skeleton as hands of a tracker. The hands are empty: their joints are in the body.
 void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
   if (!demonstration.streams.skeleton) return;
   HandClip clip;
@@ -173,8 +151,8 @@ void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
   clip.objects = demonstration.objects;
   for (const Side side : {Side::right, Side::left}) {
     const std::string knuckle = std::string(name_of(side)) + "_middle_mcp";
-    if (std::ranges::find(clip.body.names, knuckle) == clip.body.names.end()) continue;
-    clip.hands[static_cast<std::size_t>(side)] = unseen_hand(clip.time.size());
+    if (name_index(clip.body.names, knuckle) < 0) continue;
+    clip.hands[side_index(side)] = unseen_hand(clip.time.size());
   }
   std::vector<std::string>& reports = demonstration.import_notes;
   check_hands(files.file.string(), clip, files.conventions.plausibility_checks, reports);
@@ -183,15 +161,19 @@ void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
 
 }  // namespace
 
-Demonstration read_marker_recording(const RecordingFiles& files,
-                                    MarkerRecording (*read)(const std::filesystem::path&,
-                                                            const Conventions&),
+void throw_unknown_axes(const std::string& source, const std::string& why) {
+  throw UnresolvedConvention(
+      "axes", fmt::format("{}: axes: the file does not state which axes point right, forward and "
+                          "up{}; give --axes or `axes:` such as 'x y z'",
+                          source, why));
+}
+
+Demonstration read_marker_recording(const RecordingFiles& files, MarkerReader read,
                                     const std::string& usual_axes) {
-  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes),
-                  static_recording;
-  if (!files.static_trial.empty()) {
+  MarkerRecording recording = read_into_world(files.file, files, read, usual_axes);
+  MarkerRecording static_recording;
+  if (!files.static_trial.empty())
     static_recording = read_into_world(files.static_trial, files, read, usual_axes);
-  }
   rename_both(files, recording, static_recording);
   Demonstration demonstration;
   demonstration.subject = recording.subject;
@@ -203,14 +185,14 @@ Demonstration read_marker_recording(const RecordingFiles& files,
   }
   add_rigid_bodies(recording.bodies, demonstration);
   check_joints(files, demonstration);
-  if (files.static_trial.empty()) report_no_static(demonstration);
-  if (!files.static_trial.empty()) {
-    report_never_seen(static_recording);
-    for (const std::string& report : static_recording.import_notes) {
-      demonstration.import_notes.push_back("static trial: " + report);
-    }
-    demonstration.calibration.markers = std::move(static_recording.markers);
+  if (files.static_trial.empty()) {
+    report_no_static(demonstration);
+    return demonstration;
   }
+  report_never_seen(static_recording);
+  for (const std::string& note : static_recording.import_notes)
+    demonstration.import_notes.push_back("static trial: " + note);
+  demonstration.calibration.markers = std::move(static_recording.markers);
   return demonstration;
 }
 

@@ -10,24 +10,28 @@ namespace morphe::imports {
 
 /// The contents of a file of markers, in its own axes, but in metres.
 struct MarkerRecording {
-  MarkerStream markers;                   ///< markers [m]
+  MarkerStream markers;
   RigidBodies bodies;                     ///< on the markers' clock, if the format has them
   std::string subject;                    ///< "" if absent
   std::string axes;                       ///< as Conventions::axes; "" if absent
   std::vector<std::string> import_notes;  ///< assumptions and repairs
 };
 
-/// Reads a recording and its static trial into the world. The axes are the given ones, otherwise
-/// the file's, otherwise `usual_axes`, which is reported ("" for an InputError that asks for them);
-/// names are mapped. A point exactly at the origin, by which some programs denote an unseen marker,
-/// becomes unseen. Markers that were never seen and such points are reported. Throws InputError
-/// "FILE: unit: …" if the distances between markers are larger than any capture volume or smaller
-/// than any hand, and for repeated names. Points that are named as joints become a skeleton
-/// (extract_joints.hpp), rigid bodies are added by rigid_bodies.hpp; those of a static trial are
-/// left out.
-Demonstration read_marker_recording(const RecordingFiles& files,
-                                    MarkerRecording (*read)(const std::filesystem::path&,
-                                                            const Conventions&),
+/// Reads a file of one format.
+using MarkerReader = MarkerRecording (*)(const std::filesystem::path& file, const Conventions&);
+
+/// Throws UnresolvedConvention "axes" for the file `source`; the message contains `why`, ", and …".
+[[noreturn]] void throw_unknown_axes(const std::string& source, const std::string& why = "");
+
+/// Reads a recording and its static trial into the world, with mapped names. The axes are the
+/// user's; without them, the file's; without these, `usual_axes`, which is reported, or, if that is
+/// "", throw_unknown_axes(). Points exactly at the origin, which some programs write for unseen
+/// markers, become unseen; they and markers that were never seen are reported. Points of the
+/// recording that are named as joints become a skeleton (extract_joints.hpp); its rigid bodies are
+/// added as in rigid_bodies.hpp, those of the static trial are left out. Throws
+/// UnresolvedConvention "unit" if the markers extend over more than 30 m or, three or more, over
+/// less than 2 mm, and InputError for repeated names.
+Demonstration read_marker_recording(const RecordingFiles& files, MarkerReader read,
                                     const std::string& usual_axes = "");
 
 }  // namespace morphe::imports

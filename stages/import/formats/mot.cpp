@@ -1,28 +1,26 @@
 // OpenSim storage (.mot, .sto) of joint coordinates: header lines up to "endheader", a line of
-// column names that begins with "time", then a row per sample; cells are separated by commas, or
-// otherwise by blanks and tabs. AngleStream contains angles only: columns named …_tx, …_ty, …_tz or
-// …trans… are translations and left out (reported).
+// column names that begins with "time", then a row per instant. Cells are separated by commas or,
+// if the line of names has none, by blanks and tabs. AngleStream contains angles only: columns
+// named …_tx, …_ty, …_tz or …trans… are translations, which are left out and reported.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <map>
-#include <optional>
 #include <set>
 
 #include "core/files/csv.hpp"
-#include "core/motion/input_error.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/column_label.hpp"
 #include "stages/import/recording/format.hpp"
+#include "stages/import/trackers/add_note.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// Returns the cells of a line without empty ones at its end, which are padding.
+/// Returns the cells of a line, without empty ones at its end.
 std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
   std::vector<std::string_view> cells;
   if (text.separator == ',') {
@@ -30,11 +28,11 @@ std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t l
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
     return cells;
   }
-  const std::string_view here = text.lines[line - 1];
-  for (std::size_t at = here.find_first_not_of(" \t"); at != std::string_view::npos;) {
-    const std::size_t end = std::min(here.find_first_of(" \t", at), here.size());
-    cells.push_back(here.substr(at, end - at));
-    at = here.find_first_not_of(" \t", end);
+  const std::string_view row = text.lines[line - 1];
+  for (std::size_t begin = row.find_first_not_of(" \t"); begin != std::string_view::npos;) {
+    const std::size_t end = std::min(row.find_first_of(" \t", begin), row.size());
+    cells.push_back(row.substr(begin, end - begin));
+    begin = row.find_first_not_of(" \t", end);
   }
   return cells;
 }
@@ -48,16 +46,15 @@ struct MotHeader {
 MotHeader read_mot_header(const files::CsvText& text) {
   MotHeader header;
   for (std::size_t line = 1; line <= text.lines.size(); ++line) {
-    std::string here = to_lower(text.lines[line - 1]);
-    here.erase(std::find(here.begin(), here.end(), ','), here.end());
-    std::erase_if(here, [](char c) { return c == ' ' || c == '\t'; });
-    if (here == "endheader") {
+    std::string entry = to_lower(text.lines[line - 1]);
+    entry.erase(std::ranges::find(entry, ','), entry.end());
+    std::erase_if(entry, [](char c) { return c == ' ' || c == '\t'; });
+    if (entry == "endheader") {
       header.end = line;
       return header;
     }
-    if (const std::size_t sign = here.find('='); sign != std::string::npos) {
-      header.value[here.substr(0, sign)] = here.substr(sign + 1);
-    }
+    if (const std::size_t equals = entry.find('='); equals != std::string::npos)
+      header.value[entry.substr(0, equals)] = entry.substr(equals + 1);
   }
   text.fail(std::max<std::size_t>(1, text.lines.size()), "endheader", "the line is missing");
 }
@@ -68,13 +65,13 @@ bool is_translation(const std::string& column) {
          name.find("trans") != std::string::npos;
 }
 
-/// Returns radians in the file's unit of angle.
-double radians_of(const files::CsvText& text, const MotHeader& header,
-                  const Conventions& conventions) {
-  if (const auto said = header.value.find("indegrees"); said != header.value.end()) {
-    if (said->second == "yes" || said->second == "true") return kRadPerDegree;
-    if (said->second == "no" || said->second == "false") return 1;
-    text.fail(header.end, "inDegrees", fmt::format("must be yes or no, not '{}'", said->second));
+double radians_per_unit(const files::CsvText& text, const MotHeader& header,
+                        const Conventions& conventions) {
+  if (const auto entry = header.value.find("indegrees"); entry != header.value.end()) {
+    const std::string& answer = entry->second;
+    if (answer == "yes" || answer == "true") return kRadPerDegree;
+    if (answer == "no" || answer == "false") return 1;
+    text.fail(header.end, "inDegrees", fmt::format("must be yes or no, not '{}'", answer));
   }
   if (conventions.unit == "deg") return kRadPerDegree;
   if (conventions.unit == "rad") return 1;
@@ -83,20 +80,13 @@ double radians_of(const files::CsvText& text, const MotHeader& header,
       "the header does not state whether angles are in degrees; give --unit or `unit:` deg or rad");
 }
 
-/// Reports a count in the header that differs from the contents.
 void compare_count(const files::CsvText& text, const MotHeader& header, const std::string& key,
-                   std::size_t found, const char* what, std::vector<std::string>& reports) {
-  const auto said = header.value.find(to_lower(key));
-  if (said == header.value.end()) return;
-  if (text.number(header.end, key, said->second) == static_cast<double>(found)) return;
-  reports.push_back(fmt::format("{} is {}, but the file has {} {}; all are used", key, said->second,
-                                found, what));
-}
-
-/// Returns a number, or NaN if the cell contains "nan".
-double number_or_nan(const files::CsvText& text, std::size_t line, const std::string& column,
-                     std::string_view cell) {
-  return to_lower(cell) == "nan" ? kUnknown : text.number(line, column, cell);
+                   std::size_t count, const char* noun, std::vector<std::string>& reports) {
+  const auto entry = header.value.find(to_lower(key));
+  if (entry == header.value.end()) return;
+  if (text.number(header.end, key, entry->second) == static_cast<double>(count)) return;
+  add_note(reports, "{} is {}, but the file has {} {}; all are used", key, entry->second, count,
+           noun);
 }
 
 std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
@@ -107,9 +97,8 @@ std::vector<std::string> read_columns(const files::CsvText& text, std::size_t li
     if (!known.emplace(cell).second) text.fail(line, cell, "the column appears twice");
     columns.emplace_back(cell);
   }
-  if (columns.empty() || to_lower(columns[0]) != "time") {
+  if (columns.empty() || to_lower(columns[0]) != "time")
     text.fail(line, "time", "the first column must have this name");
-  }
   return columns;
 }
 
@@ -134,7 +123,7 @@ Demonstration read_mot(const RecordingFiles& files) {
   if (line > text.lines.size()) text.fail(header.end, "", "the file ends after its header");
   if (text.lines[line - 1].find(',') == std::string::npos) text.separator = '\t';
   const std::vector<std::string> columns = read_columns(text, line);
-  const double radians = radians_of(text, header, files.conventions);
+  const double radians = radians_per_unit(text, header, files.conventions);
 
   AngleStream stream;
   std::vector<std::size_t> kept;
@@ -149,7 +138,7 @@ Demonstration read_mot(const RecordingFiles& files) {
   }
   if (kept.empty()) text.fail(line, "", "has no column of a joint angle");
   std::vector<double> values;
-  std::size_t unseen = 0;
+  int missing = 0;
   for (++line; line <= text.lines.size(); ++line) {
     if (text.is_blank(line)) continue;
     const auto cells = cells_of(text, line);
@@ -158,26 +147,19 @@ Demonstration read_mot(const RecordingFiles& files) {
           line, cells.size() < columns.size() ? columns[cells.size()] : "",
           fmt::format("the row has {} cells, the header has {}", cells.size(), columns.size()));
     }
-    const double time_s = text.number(line, "time", cells[0]);
-    if (!stream.time.empty() && !(time_s > stream.time.back())) {
-      text.fail(line, "time", "must be greater than in the previous row");
-    }
-    stream.time.push_back(time_s);
+    add_time(text.number(line, "time", cells[0]), text.file, line, "time", stream.time);
     for (const std::size_t c : kept) {
-      values.push_back(radians * number_or_nan(text, line, columns[c], cells[c]));
-      if (std::isnan(values.back())) ++unseen;
+      const bool is_nan = to_lower(cells[c]) == "nan";
+      values.push_back(radians * (is_nan ? kUnknown : text.number(line, columns[c], cells[c])));
+      if (is_nan) ++missing;
     }
   }
   if (stream.time.empty()) text.fail(text.lines.size(), "", "the file has no rows");
   stream.angles = Eigen::Map<const JointRows>(values.data(), stream.time.size(), kept.size());
   compare_count(text, header, "nRows", stream.time.size(), "rows", reports);
   compare_count(text, header, "nColumns", columns.size(), "columns", reports);
-  if (!left_out.empty()) {
-    reports.push_back(fmt::format("translations skipped: {}", fmt::join(left_out, ", ")));
-  }
-  if (unseen > 0) {
-    reports.push_back(fmt::format("{} of {} angles are missing (NaN)", unseen, values.size()));
-  }
+  if (!left_out.empty()) add_note(reports, "translations skipped: {}", fmt::join(left_out, ", "));
+  if (missing > 0) add_note(reports, "{} of {} angles are missing (NaN)", missing, values.size());
   apply_name_map(text.file, files.name_map, stream.joints);
   demonstration.streams.arm_angles = std::move(stream);
   return demonstration;

@@ -24,16 +24,14 @@ std::string cell(const Cells& cells, std::size_t column) {
 
 void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
   const Cells cells = unquoted_cells(csv, 1);
-  if (cell(cells, 0) != "Format Version") {
+  if (cell(cells, 0) != "Format Version")
     csv.fail(1, "", "must begin with 'Format Version'; export the take with its header");
-  }
   for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.settings[cells[k]] = cells[k + 1];
-  if (header.value("Coordinate Space") == "Local") {
+  if (header.value("Coordinate Space") == "Local")
     csv.fail(1, "Coordinate Space", "is Local; export in Global coordinates");
-  }
 }
 
-/// Returns the lines between the first and "Frame,Time": types, names, IDs, (parents,) quantities.
+/// Returns the lines from 2 to "Frame,Time…": types, names, IDs, (parents,) quantities.
 std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader& header) {
   std::vector<std::size_t> lines;
   const std::size_t last = std::min(csv.lines.size(), kMaxHeaderLines);
@@ -47,18 +45,18 @@ std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader&
   csv.fail(last, "Frame", "the line 'Frame,Time' is missing; export the take with its header");
 }
 
-/// Returns the columns of one quantity of an item in the order of `axes`.
-std::vector<std::size_t> columns_of(const files::CsvText& csv, std::size_t line,
-                                    const OptitrackItem& item, const std::string& quantity,
-                                    const std::map<std::string, std::size_t>& found) {
+/// Returns the columns of one quantity of an item in the order X, Y, Z, W.
+std::vector<std::size_t> ordered_columns(const files::CsvText& csv, std::size_t line,
+                                         const std::string& item, const std::string& quantity,
+                                         const std::map<std::string, std::size_t>& by_axis) {
   std::vector<std::size_t> columns;
-  if (found.empty()) return columns;
+  if (by_axis.empty()) return columns;
   for (const char* axis : {"X", "Y", "Z", "W"}) {
-    const auto at = found.find(axis);
-    if (at != found.end()) {
-      columns.push_back(at->second);
+    const auto entry = by_axis.find(axis);
+    if (entry != by_axis.end()) {
+      columns.push_back(entry->second);
     } else if (*axis != 'W') {
-      csv.fail(line, fmt::format("{}.{}", item.name, quantity), fmt::format("lacks {}", axis));
+      csv.fail(line, fmt::format("{}.{}", item, quantity), fmt::format("lacks {}", axis));
     }
   }
   return columns;
@@ -90,15 +88,14 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
   }
   for (std::size_t c = kFirstColumn; c < header.cells;) {
     OptitrackItem item{cell(types, c), cell(names, c), {}, {}};
-    std::map<std::string, std::map<std::string, std::size_t>> found;
+    std::map<std::string, std::map<std::string, std::size_t>> columns;  // by quantity and axis
     for (; c < header.cells && cell(types, c) == item.type && cell(names, c) == item.name; ++c) {
-      if (cell(axes, c).empty()) continue;  // an error or a quality
-      if (!found[cell(quantities, c)].emplace(cell(axes, c), c).second) {
+      if (cell(axes, c).empty()) continue;  // a column of errors or quality
+      if (!columns[cell(quantities, c)].emplace(cell(axes, c), c).second)
         csv.fail(lines[1], item.name, "appears twice");
-      }
     }
-    item.position = columns_of(csv, header.line, item, "Position", found["Position"]);
-    item.rotation = columns_of(csv, header.line, item, "Rotation", found["Rotation"]);
+    item.position = ordered_columns(csv, header.line, item.name, "Position", columns["Position"]);
+    item.rotation = ordered_columns(csv, header.line, item.name, "Rotation", columns["Rotation"]);
     if (item.position.size() > 3) csv.fail(header.line, item.name, "has four columns of position");
     header.items.push_back(std::move(item));
   }

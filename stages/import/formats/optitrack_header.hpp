@@ -20,12 +20,11 @@ struct OptitrackItem {
 /// The header of a take that Motive exported as CSV.
 struct OptitrackHeader {
   std::map<std::string, std::string, std::less<>> settings;  ///< line 1: "Length Units", …
-  std::vector<OptitrackItem> items;  ///< items in the order of their columns
-  std::size_t line = 0;              ///< line of "Frame,Time…"; rows follow
-  std::size_t cells = 0;             ///< number of cells in a row
+  std::vector<OptitrackItem> items;                          ///< in the order of their columns
+  std::size_t line = 0;                                      ///< of "Frame,Time…"; rows follow
+  std::size_t cells = 0;                                     ///< number of cells in a row
 
-  /// "" if absent in line 1.
-  std::string value(const std::string& key) const;
+  std::string value(const std::string& key) const;  ///< "" if absent in line 1
 };
 
 /// Reads the header. Columns are identified by the lines above them, independent of their position

@@ -6,16 +6,17 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/point_header.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// The times in the file, and the line of each row.
+/// The times and frame numbers of the rows, empty if the file does not have them, and their lines.
 struct PointRows {
   std::vector<double> time, frame;
   std::vector<std::size_t> line;
@@ -32,15 +33,13 @@ Vec3 point_in_row(const files::CsvText& text, std::size_t line,
                   const std::vector<std::string>& cells, const PointColumns& point,
                   const PointHeader& header) {
   Vec3 result = unknown_point();
-  int filled = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::string& cell = cells[point.at[axis]];
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string& cell = cells[point.columns[axis]];
     if (is_missing_value(cell)) continue;
     result[axis] =
         cell_number(text, line, fmt::format("{}.{}", point.name, "xyz"[axis]), cell, header);
-    ++filled;
   }
-  if (filled != 0 && filled != 3) text.fail(line, point.name, "has only some of x, y, z");
+  if (is_partial(result)) text.fail(line, point.name, "has only some of x, y, z");
   return result;
 }
 
@@ -48,11 +47,11 @@ PointRows point_rows(const files::CsvText& text, const PointHeader& header, doub
                      MarkerRecording& recording) {
   PointRows rows;
   std::vector<Vec3> values;
-  std::size_t blank = 0;
+  int blank_count = 0;
   for (std::size_t line = header.first_row; line <= text.lines.size(); ++line) {
     std::vector<std::string> cells = quoted_cells(text.lines[line - 1], header.separator);
     if (std::ranges::all_of(cells, &std::string::empty)) {
-      ++blank;
+      ++blank_count;
       continue;
     }
     while (cells.size() > header.cells && cells.back().empty()) cells.pop_back();
@@ -62,26 +61,22 @@ PointRows point_rows(const files::CsvText& text, const PointHeader& header, doub
           fmt::format("the row has {} cells, but the header has {}", cells.size(), header.cells));
     }
     rows.line.push_back(line);
-    if (header.time) {
-      rows.time.push_back(
-          cell_number(text, line, header.time->name, cells[header.time->at], header));
-    }
-    if (header.frame) {
+    if (const auto& time = header.time)
+      rows.time.push_back(cell_number(text, line, time->name, cells[time->column], header));
+    if (header.frame)
       rows.frame.push_back(cell_number(text, line, "frame", cells[*header.frame], header));
-    }
-    for (const PointColumns& point : header.points) {
+    for (const PointColumns& point : header.points)
       values.push_back(metres * point_in_row(text, line, cells, point, header));
-    }
   }
   if (rows.line.empty()) text.fail(text.lines.size(), "", "ends before the first row");
-  if (blank > 0) recording.import_notes.push_back(fmt::format("{} blank lines skipped", blank));
+  if (blank_count > 0) add_note(recording.import_notes, "{} blank lines skipped", blank_count);
   recording.markers.position = Array2D<Vec3>(rows.line.size(), header.points.size(), Vec3::Zero());
   recording.markers.position.values = std::move(values);
   return rows;
 }
 
-/// Returns seconds in a unit of the time column: the header's, otherwise the first with which the
-/// rows have the rate of a camera, which is reported.
+/// Returns the seconds in one unit of the time column: the header's unit; without it, the first in
+/// which the rows have the rate of a camera, which is reported; otherwise 1.
 double seconds_of(const TimeColumn& column, const std::vector<double>& time,
                   std::vector<std::string>& reports) {
   constexpr std::pair<const char*, double> kSecondsPer[] = {
@@ -92,20 +87,18 @@ double seconds_of(const TimeColumn& column, const std::vector<double>& time,
     if (column.unit == name) return seconds;
     const bool plausible = step * seconds <= kMaxRowPeriod_s && step * seconds >= kMinRowPeriod_s;
     if (!column.unit.empty() || !plausible) continue;
-    reports.push_back(
-        fmt::format("unit of '{}' not in the file; assumed {}, {:.4g} rows per second", column.name,
-                    name, 1 / (step * seconds)));
+    add_note(reports, "unit of '{}' not in the file; assumed {}, {:.4g} rows per second",
+             column.name, name, 1 / (step * seconds));
     return seconds;
   }
   return 1;
 }
 
-void check_grows(const files::CsvText& text, const std::vector<double>& values,
-                 const PointRows& rows, const std::string& column) {
+void expect_increasing(const files::CsvText& text, const std::vector<double>& values,
+                       const PointRows& rows, const std::string& column) {
   for (std::size_t i = 1; i < values.size(); ++i) {
-    if (!(values[i] > values[i - 1])) {
+    if (!(values[i] > values[i - 1]))
       text.fail(rows.line[i], column, "must be greater than in the previous row");
-    }
   }
 }
 
@@ -113,7 +106,7 @@ void set_times(const files::CsvText& text, const PointHeader& header, const Poin
                const Conventions& conventions, MarkerRecording& recording) {
   std::vector<double>& time = recording.markers.time;
   if (header.time && !conventions.rate_hz) {
-    check_grows(text, rows.time, rows, header.time->name);
+    expect_increasing(text, rows.time, rows, header.time->name);
     const double seconds =
         rows.time.size() > 1 ? seconds_of(*header.time, rows.time, recording.import_notes) : 1;
     constexpr double kMaxStartTime_s = 1e5;  // more than a day: the times are absolute
@@ -123,7 +116,7 @@ void set_times(const files::CsvText& text, const PointHeader& header, const Poin
     return;
   }
   const double rate_hz = resolve_rate_hz(0, conventions, text.file, recording.import_notes);
-  if (header.frame) check_grows(text, rows.frame, rows, "frame");
+  if (header.frame) expect_increasing(text, rows.frame, rows, "frame");
   for (std::size_t i = 0; i < rows.line.size(); ++i) {
     time.push_back((header.frame ? rows.frame[i] - rows.frame[0] : static_cast<double>(i)) /
                    rate_hz);
@@ -147,20 +140,18 @@ MarkerRecording read_point_file(const std::filesystem::path& file, const Convent
   const PointRows rows = point_rows(text, header, metres, recording);
   set_times(text, header, rows, conventions, recording);
   if (header.decimal_comma) recording.import_notes.push_back("numbers use decimal commas");
-  if (header.lines_before > 0) {
-    recording.import_notes.push_back(
-        fmt::format("{} lines before the header skipped", header.lines_before));
-  }
+  if (header.lines_before > 0)
+    add_note(recording.import_notes, "{} lines before the header skipped", header.lines_before);
   if (!header.ignored_columns.empty()) {
-    recording.import_notes.push_back(
-        fmt::format("columns skipped, not points: {}", fmt::join(header.ignored_columns, ", ")));
+    add_note(recording.import_notes, "columns skipped, not points: {}",
+             fmt::join(header.ignored_columns, ", "));
   }
   return recording;
 }
 
 /// Returns true if the table is one of points. Other tables may have three columns that resemble a
 /// point, such as the angles of a shoulder blade called Scap_X, Scap_Y, Scap_Z.
-bool is_about_points(const PointHeader& header) {
+bool is_table_of_points(const PointHeader& header) {
   constexpr std::size_t kMaxOtherColumns = 4;  // the columns of a rotation
   return header.points.size() > 1 ||
          (header.points.size() == 1 && header.ignored_columns.size() <= kMaxOtherColumns);
@@ -177,15 +168,15 @@ bool recognises_point_csv(std::string_view head) {
   files::CsvText text;
   while (!head.empty()) {
     const std::size_t end = head.find_first_of("\r\n");
-    if (end == head.npos && !text.lines.empty()) break;  // a line that continues beyond the head
+    if (end == head.npos && !text.lines.empty()) break;  // the line continues beyond the head
     text.lines.emplace_back(head.substr(0, end));
     head.remove_prefix(end == head.npos ? head.size() : end + 1);
     if (text.lines.back().empty()) text.lines.pop_back();
   }
   try {
-    return is_about_points(read_point_header(text));
+    return is_table_of_points(read_point_header(text));
   } catch (const InputError&) {
-    return true;  // a header of points with an error
+    return true;  // the reader reports the error in this header of points
   }
 }
 

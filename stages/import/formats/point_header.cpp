@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -13,31 +12,32 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kMaxHeaderLine = 30;  // lines
+constexpr std::size_t kMaxHeaderLine = 30;
+
 char separator_of(const files::CsvText& text) {
-  // The last line is a row: names may contain any character.
+  // Counted in the last line, which is a row: names in the header may contain any character.
   const std::string& row = text.lines.back();
-  for (const char sign : {';', '\t'}) {
-    if (std::ranges::count(row, sign) >= 2) return sign;
+  for (const char separator : {';', '\t'}) {
+    if (std::ranges::count(row, separator) >= 2) return separator;
   }
   return ',';
 }
 
-/// The numbers of cells, numbers and words in a line.
 struct CellCounts {
   std::size_t cells = 0, numbers = 0, words = 0;
 };
 
-CellCounts count_cells(const std::vector<std::string>& cells, bool decimal_comma) {
-  CellCounts kind{cells.size(), 0, 0};
+CellCounts count_cells(const std::string& line, const PointHeader& header) {
+  const std::vector<std::string> cells = quoted_cells(line, header.separator);
+  CellCounts counts{cells.size(), 0, 0};
   for (const std::string& cell : cells) {
-    if (parse_number(cell, decimal_comma)) {
-      ++kind.numbers;
+    if (parse_number(cell, header.decimal_comma)) {
+      ++counts.numbers;
     } else if (!is_missing_value(cell)) {
-      ++kind.words;
+      ++counts.words;
     }
   }
-  return kind;
+  return counts;
 }
 
 bool has_decimal_commas(const files::CsvText& text, char separator) {
@@ -50,8 +50,8 @@ bool has_decimal_commas(const files::CsvText& text, char separator) {
   return false;
 }
 
-/// The lines of the header: the last one of words near the top, and those above it with as many
-/// cells as a row.
+/// The lines of the header, from 1: the last line of words near the top, and the lines directly
+/// above it that are not blank and have at least half as many cells as a row.
 struct HeaderLines {
   std::size_t first = 0, last = 0;  ///< 0 if absent
 };
@@ -60,74 +60,70 @@ HeaderLines find_header(const files::CsvText& text, const PointHeader& header) {
   HeaderLines lines;
   const std::size_t end = std::min(kMaxHeaderLine, text.lines.size());
   for (std::size_t line = 1; line <= end; ++line) {
-    const CellCounts kind =
-        count_cells(quoted_cells(text.lines[line - 1], header.separator), header.decimal_comma);
-    if (kind.words >= 3 && kind.words >= kind.numbers) lines.last = line;
+    const CellCounts counts = count_cells(text.lines[line - 1], header);
+    if (counts.words >= 3 && counts.words >= counts.numbers) lines.last = line;
   }
   lines.first = lines.last;
   while (lines.first > 1) {
-    const CellCounts above = count_cells(
-        quoted_cells(text.lines[lines.first - 2], header.separator), header.decimal_comma);
+    const CellCounts above = count_cells(text.lines[lines.first - 2], header);
     if (above.words + above.numbers == 0 || 2 * above.cells < header.cells) break;
     --lines.first;
   }
   return lines;
 }
 
-/// Returns the joined words above a column; a name also applies to up to two empty cells after it.
+/// Returns the joined words above each column; a name also applies to two empty cells after it.
 std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines& lines,
                                    const PointHeader& header) {
   std::vector<std::string> labels(header.cells);
   for (std::size_t line = lines.first; line <= lines.last; ++line) {
-    std::string_view here = text.lines[line - 1];
-    if (line == lines.first && here.starts_with('#')) here.remove_prefix(1);
-    const std::vector<std::string> cells = quoted_cells(here, header.separator);
+    std::string_view words = text.lines[line - 1];
+    if (line == lines.first && words.starts_with('#')) words.remove_prefix(1);
+    const std::vector<std::string> cells = quoted_cells(words, header.separator);
     std::string name;
-    std::size_t empty = 0;
+    int empty_count = 0;
     for (std::size_t c = 0; c < header.cells; ++c) {
       const std::string cell = c < cells.size() ? cells[c] : "";
       if (!cell.empty()) name = cell;
-      empty = cell.empty() ? empty + 1 : 0;
+      empty_count = cell.empty() ? empty_count + 1 : 0;
       if (line == lines.last && cell.empty()) continue;
-      if (empty > 2 || name.empty()) continue;
+      if (empty_count > 2 || name.empty()) continue;
       labels[c] += (labels[c].empty() ? "" : " ") + name;
     }
   }
   return labels;
 }
 
-struct AxisColumns {
-  std::array<std::optional<std::size_t>, 4> at;
-};
-
-/// Takes the columns of every point whose three axes have the same notation.
+/// Adds every point whose three axes have the same notation, and marks its columns as taken.
 void take_points(const files::CsvText& text, std::size_t line,
                  const std::vector<ColumnLabel>& labels, std::vector<bool>& taken,
                  PointHeader& header) {
-  for (std::size_t way = 0; way < 3; ++way) {
-    std::map<std::string, AxisColumns> found;
+  using AxisColumns = std::array<std::optional<std::size_t>, 4>;  // of x, y, z, w
+  for (int notation = 0; notation < 3; ++notation) {
+    std::map<std::string, AxisColumns> points;
     std::vector<std::string> order;
     for (std::size_t c = 0; c < labels.size(); ++c) {
       if (taken[c] || labels[c].text.empty()) continue;
-      const AxisReading reading = readings_of(labels[c].text)[way];
+      const AxisReading reading = readings_of(labels[c].text)[notation];
       if (reading.axis < 0 || reading.name.empty()) continue;
-      auto [entry, is_new] = found.try_emplace(reading.name);
+      auto [entry, is_new] = points.try_emplace(reading.name);
       if (is_new) order.push_back(reading.name);
-      std::optional<std::size_t>& at = entry->second.at[reading.axis];
-      if (at) text.fail(line, labels[c].text, "the column appears twice");
-      at = c;
+      std::optional<std::size_t>& column = entry->second[reading.axis];
+      if (column) text.fail(line, labels[c].text, "the column appears twice");
+      column = c;
     }
     for (const std::string& name : order) {
-      const auto& at = found[name].at;
-      if (!at[0] || !at[1] || !at[2]) continue;
-      for (const auto& column : at) {
+      const AxisColumns& columns = points[name];
+      const auto& [x, y, z, w] = columns;
+      if (!x || !y || !z) continue;
+      for (const auto& column : columns) {
         if (column) taken[*column] = true;
       }
-      if (at[3] || is_other_quantity(name)) {
+      if (w || is_other_quantity(name)) {
         header.ignored_columns.push_back(name);
-        continue;
+      } else {
+        header.points.push_back({name, {*x, *y, *z}});
       }
-      header.points.push_back({name, {*at[0], *at[1], *at[2]}});
     }
   }
 }
@@ -179,9 +175,8 @@ PointHeader read_point_header(const files::CsvText& text) {
   header.first_row = lines.last + 1;
   header.lines_before = lines.first - 1;
   std::vector<ColumnLabel> labels;
-  for (std::string& label : labels_of(text, lines, header)) {
+  for (std::string& label : labels_of(text, lines, header))
     labels.push_back(split_unit(std::move(label)));
-  }
   std::vector<bool> taken(labels.size(), false);
   for (std::size_t c = 0; c < labels.size(); ++c) {
     if (!header.time && is_time_label(labels[c].text)) {
@@ -195,9 +190,9 @@ PointHeader read_point_header(const files::CsvText& text) {
   }
   take_points(text, lines.last, labels, taken, header);
   for (const PointColumns& point : header.points) {
-    for (const std::size_t c : point.at) {
+    for (const std::size_t c : point.columns) {
       const std::string& unit = labels[c].unit;
-      if (&point == &header.points.front() && c == point.at[0]) header.unit = unit;
+      if (&point == &header.points.front() && c == point.columns[0]) header.unit = unit;
       if (unit != header.unit) {
         text.fail(
             lines.last, point.name,

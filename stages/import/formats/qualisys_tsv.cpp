@@ -4,13 +4,15 @@
 // was not seen. Lengths are always in millimetres. The file does not contain its axes.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 #include <set>
 
+#include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/point_header.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/trackers/add_note.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -18,11 +20,10 @@ namespace {
 constexpr std::string_view kMarkerNames = "MARKER_NAMES";
 
 struct TsvHeader {
-  std::map<std::string, std::pair<std::size_t, std::string>> value;  ///< line and first value
+  std::map<std::string, std::pair<std::size_t, std::string>> value;  ///< by key: line, first value
   std::vector<std::string> markers;
   std::size_t names_line = 0, first_row = 0;
-  /// True if the first column is the time, without a frame number.
-  bool first_column_is_time = false;
+  bool first_column_is_time = false;  ///< otherwise a leading column has the frame number
 };
 
 bool is_key(std::string_view word) {
@@ -52,7 +53,7 @@ TsvHeader read_tsv_header(const files::CsvText& text) {
     if (name.empty()) text.fail(header.names_line, kMarkerNames, "a marker has no name");
     if (!known.insert(name).second) text.fail(header.names_line, name, "the marker appears twice");
   }
-  // An optional line names the columns: "Frame Time A X A Y A Z", or "A X …".
+  // An optional line names the columns: "Frame Time A X A Y A Z", or "A X …" for a marker A.
   while (line <= text.lines.size() && text.is_blank(line)) ++line;
   if (line <= text.lines.size() && !parse_number(text.cells(line)[0], false)) {
     header.first_column_is_time = text.cells(line)[0] == "Time";
@@ -70,8 +71,7 @@ double number_in_header(const files::CsvText& text, const TsvHeader& header,
   return text.number(found->second.first, key, found->second.second);
 }
 
-/// Returns the number of columns before the first marker's: 0, or those of the frame's number, or
-/// of that and its time.
+/// Returns the number of columns before the first marker's: 0, 1 or 2.
 std::size_t leading_columns(const files::CsvText& text, const TsvHeader& header) {
   std::size_t cells = text.cells(header.first_row).size();
   const std::size_t points = 3 * header.markers.size();
@@ -89,8 +89,7 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
                     double rate_hz, MarkerRecording& recording) {
   const std::size_t leading = leading_columns(text, header), markers = header.markers.size();
   MarkerStream& stream = recording.markers;
-  stream.position =
-      Array2D<Vec3>(text.lines.size() - header.first_row + 1, markers, unknown_point());
+  stream.position = {text.lines.size() - header.first_row + 1, markers, unknown_point()};
   double first_frame = 0;
   for (std::size_t line = header.first_row; line <= text.lines.size(); ++line) {
     const std::size_t row = line - header.first_row;
@@ -106,23 +105,15 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
       if (row == 0) first_frame = frame;
       frame -= first_frame;
     }
-    stream.time.push_back(frame / rate_hz);
-    if (row > 0 && !(stream.time[row] > stream.time[row - 1])) {
-      text.fail(line, "Frame", "must be greater than in the previous row");
-    }
+    add_time(frame / rate_hz, text.file, line, "Frame", stream.time);
     for (std::size_t k = 0; k < markers; ++k) {
-      Vec3 point;
-      int filled = 0;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vec3 point = unknown_point();
+      for (int axis = 0; axis < 3; ++axis) {
         const std::string_view cell = cells[leading + 3 * k + axis];
-        if (is_missing_value(cell)) continue;
-        point[axis] = text.number(line, header.markers[k], cell);
-        ++filled;
+        if (!is_missing_value(cell)) point[axis] = text.number(line, header.markers[k], cell);
       }
-      if (filled == 3) stream.position(row, k) = metres * point;
-      if (filled != 0 && filled != 3) {
-        text.fail(line, header.markers[k], "has only some of X, Y, Z");
-      }
+      if (is_partial(point)) text.fail(line, header.markers[k], "has only some of X, Y, Z");
+      stream.position(row, k) = metres * point;
     }
   }
 }
@@ -141,20 +132,19 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
   }
   const double rate_hz = resolve_rate_hz(number_in_header(text, header, "FREQUENCY"), conventions,
                                          text.file, recording.import_notes);
-  if (conventions.unit.empty()) {
+  if (conventions.unit.empty())
     recording.import_notes.push_back("unit not in the file; assumed mm, as written by Qualisys");
-  }
   const double metres =
       metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
   recording.markers.names = header.markers;
   read_frames_of(text, header, metres, rate_hz, recording);
-  for (const auto& [key, count, what] :
+  for (const auto& [key, count, noun] :
        {std::tuple("NO_OF_MARKERS", header.markers.size(), "markers"),
         std::tuple("NO_OF_FRAMES", recording.markers.time.size(), "frames")}) {
-    const double said = number_in_header(text, header, key);
-    if (said == 0 || said == static_cast<double>(count)) continue;
-    recording.import_notes.push_back(
-        fmt::format("the header states {} {}, the file has {}", said, what, count));
+    const double stated = number_in_header(text, header, key);
+    if (stated == 0 || stated == static_cast<double>(count)) continue;
+    add_note(recording.import_notes, "the header states {} {}, the file has {}", stated, noun,
+             count);
   }
   return recording;
 }

@@ -7,8 +7,7 @@
 
 namespace morphe::imports {
 
-// Readers of the formats of motion capture systems and tables; for the two functions of each see
-// RecordingFormat.
+// RecordingFormat is the contract of the two functions of each format.
 
 /// Returns true for the first bytes of a file of Vicon's CSV.
 bool recognises_vicon_csv(std::string_view head);

@@ -7,48 +7,41 @@
 #include <iterator>
 #include <optional>
 
-#include "core/motion/input_error.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
 namespace {
 
 constexpr const char* kSensors[] = {"shoulder", "elbow", "wrist"};
-constexpr double kMinBodyBoxSize_m = 0.005;  ///< thickness of a box around markers in a plane [m]
+constexpr double kMinBodyBoxSize_m = 0.005;  ///< least thickness of a box around markers
 
-bool is_sensor(const std::string& name) {
-  return std::ranges::find(kSensors, name) != std::end(kSensors);
-}
-
-/// Appends some of `from`'s columns to those of `to`, which has the same rows or is empty.
-void add_columns(const BodyStream& from, const std::vector<std::size_t>& columns, bool parents,
-                 std::optional<BodyStream>& to) {
+/// Appends the bodies in `columns` to those of a stream, which is absent or has the same times.
+void add_bodies(const BodyStream& bodies, const std::vector<int>& columns, bool have_parents,
+                std::optional<BodyStream>& stream) {
   if (columns.empty()) return;
-  BodyStream joined;
-  joined.time = from.time;
-  if (to) joined.names = to->names, joined.parents = to->parents;
-  const std::size_t before = joined.names.size();
-  for (const std::size_t k : columns) {
-    joined.names.push_back(from.names[k]);
-    if (parents) joined.parents.emplace_back();
-  }
-  joined.position = Array2D<Vec3>(from.time.size(), joined.names.size(), unknown_point());
-  joined.orientation = Array2D<Quat>(from.time.size(), joined.names.size(), unknown_rotation());
-  for (std::size_t i = 0; i < from.time.size(); ++i) {
+  std::vector<std::string> names = stream ? stream->names : std::vector<std::string>();
+  const std::size_t before = names.size();
+  for (const int k : columns) names.push_back(bodies.names[k]);
+  BodyStream joined = unseen_body(names, bodies.time.size());
+  joined.time = bodies.time;
+  if (stream) joined.parents = stream->parents;
+  if (have_parents) joined.parents.resize(joined.parents.size() + columns.size());
+  for (std::size_t i = 0; i < bodies.time.size(); ++i) {
     for (std::size_t k = 0; k < before; ++k) {
-      joined.position(i, k) = to->position(i, k);
-      joined.orientation(i, k) = to->orientation(i, k);
+      joined.position(i, k) = stream->position(i, k);
+      joined.orientation(i, k) = stream->orientation(i, k);
     }
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      joined.position(i, before + k) = from.position(i, columns[k]);
-      joined.orientation(i, before + k) = from.orientation(i, columns[k]);
+      joined.position(i, before + k) = bodies.position(i, columns[k]);
+      joined.orientation(i, before + k) = bodies.orientation(i, columns[k]);
     }
   }
-  to = std::move(joined);
+  stream = std::move(joined);
 }
 
-void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonstration) {
+void add_object(const RigidBodies& bodies, int k, Demonstration& demonstration) {
   const std::string& name = bodies.poses.names[k];
   SceneObject object;
   Vec3 centre = Vec3::Zero();
@@ -60,10 +53,10 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
     object.name = name;
     object.shape = Shape::box;
     object.size = {sizes.x(), sizes.y(), sizes.z()};
-    demonstration.import_notes.push_back(
-        fmt::format("object {}: assumed a box of {:.0f} x {:.0f} x {:.0f} mm around the markers of "
-                    "the rigid body; set `target.body` in a config for another shape",
-                    name, 1000 * sizes.x(), 1000 * sizes.y(), 1000 * sizes.z()));
+    add_note(demonstration.import_notes,
+             "object {}: assumed a box of {:.0f} x {:.0f} x {:.0f} mm around the markers of the "
+             "rigid body; set `target.body` in a config for another shape",
+             name, 1000 * sizes.x(), 1000 * sizes.y(), 1000 * sizes.z());
   }
   for (std::size_t i = 0; i < bodies.poses.time.size(); ++i) {
     const Vec3& position = bodies.poses.position(i, k);
@@ -83,30 +76,24 @@ void add_object(const RigidBodies& bodies, std::size_t k, Demonstration& demonst
 }  // namespace
 
 void add_rigid_bodies(const RigidBodies& bodies, Demonstration& demonstration) {
-  std::vector<std::size_t> joints, sensors;
-  std::vector<std::string> tracked;
-  for (std::size_t k = 0; k < bodies.poses.names.size(); ++k) {
+  std::vector<int> joints, sensors;
+  std::vector<std::string> used_as_joints;
+  for (int k = 0; k < std::ssize(bodies.poses.names); ++k) {
     const std::string& name = bodies.poses.names[k];
-    if (bodies.bone[k]) {
-      joints.push_back(k);
-      continue;
-    }
-    if (is_joint_name(name)) {
-      joints.push_back(k);
-    } else if (is_sensor(name)) {
-      sensors.push_back(k);
+    const bool is_joint = bodies.bone[k] || is_joint_name(name);
+    if (is_joint || std::ranges::find(kSensors, name) != std::end(kSensors)) {
+      (is_joint ? joints : sensors).push_back(k);
+      if (!bodies.bone[k]) used_as_joints.push_back(name);
     } else {
       add_object(bodies, k, demonstration);
-      continue;
     }
-    tracked.push_back(name);
   }
-  add_columns(bodies.poses, joints, true, demonstration.streams.skeleton);
-  add_columns(bodies.poses, sensors, false, demonstration.streams.sensors);
-  if (!tracked.empty()) {
-    demonstration.import_notes.push_back(
-        fmt::format("the pivots of these rigid bodies are used as joints, by their names: {}",
-                    fmt::join(tracked, ", ")));
+  add_bodies(bodies.poses, joints, true, demonstration.streams.skeleton);
+  add_bodies(bodies.poses, sensors, false, demonstration.streams.sensors);
+  if (!used_as_joints.empty()) {
+    add_note(demonstration.import_notes,
+             "the pivots of these rigid bodies are used as joints, by their names: {}",
+             fmt::join(used_as_joints, ", "));
   }
 }
 

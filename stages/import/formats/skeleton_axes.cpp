@@ -2,64 +2,61 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/add_note.hpp"
+#include "stages/import/trackers/hand_clip.hpp"
 
 namespace morphe::imports {
 namespace {
 
 constexpr double kMinAxisCosine = 0.9659258262890683;  // cos 15 degrees
-// Least horizontal share of the shoulder line in the first frame.
-constexpr double kMinShoulderLevelShare = 0.7;
-
-[[noreturn]] void throw_unknown_axes(const std::string& file, const std::string& why) {
-  throw UnresolvedConvention(
-      "axes", fmt::format("{}: axes: the file does not state which axes point "
-                          "right, forward and up, and {}; give --axes or `axes:` such as 'x y z'",
-                          file, why));
-}
+/// Least ratio of the horizontal part of the line between the shoulders to its length.
+constexpr double kMinShoulderLevelRatio = 0.7;
 
 /// Returns the signed coordinate axis with the largest component along a direction.
 Vec3 main_axis(const Vec3& direction) {
-  Eigen::Index which = 0;
-  direction.cwiseAbs().maxCoeff(&which);
+  Eigen::Index k = 0;
+  direction.cwiseAbs().maxCoeff(&k);
   Vec3 axis = Vec3::Zero();
-  axis[which] = direction[which] < 0 ? -1 : 1;
+  axis[k] = direction[k] < 0 ? -1 : 1;
   return axis;
 }
 
-Vec3 near_axis(const Vec3& direction, const std::string& what, const std::string& file) {
+/// Returns the axis within 15 degrees of a direction. `noun` is the direction's name in the error.
+Vec3 near_axis(const Vec3& direction, const std::string& noun, const std::string& file) {
   const Vec3 axis = main_axis(direction);
   if (!(axis.dot(direction) >= kMinAxisCosine * direction.norm()) || direction.norm() == 0) {
     throw_unknown_axes(
-        file, fmt::format("in the rest skeleton {} is not within 15 degrees of an axis", what));
+        file,
+        fmt::format(", and in the rest skeleton {} is not within 15 degrees of an axis", noun));
   }
   return axis;
 }
 
-struct Pair {
-  std::size_t left, right;
+struct JointPair {
+  int left, right;
 };
-std::optional<Pair> find_pair(const BodyStream& body, const std::string& part) {
-  const auto left = std::find(body.names.begin(), body.names.end(), "left_" + part);
-  const auto right = std::find(body.names.begin(), body.names.end(), "right_" + part);
-  if (left == body.names.end() || right == body.names.end()) return std::nullopt;
-  return Pair{static_cast<std::size_t>(left - body.names.begin()),
-              static_cast<std::size_t>(right - body.names.begin())};
+
+std::optional<JointPair> find_pair(const BodyStream& body, const std::string& part) {
+  const JointPair pair{name_index(body.names, "left_" + part),
+                       name_index(body.names, "right_" + part)};
+  return pair.left < 0 || pair.right < 0 ? std::nullopt : std::optional(pair);
 }
 
 }  // namespace
 
 Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Vec3>& rest,
                                     const std::string& file, std::vector<std::string>& reports) {
-  const std::optional<Pair> shoulders = find_pair(body, "shoulder"), hips = find_pair(body, "hip");
+  const std::optional<JointPair> shoulders = find_pair(body, "shoulder");
+  const std::optional<JointPair> hips = find_pair(body, "hip");
   if (!shoulders) {
     throw_unknown_axes(file,
-                       "the axes cannot be derived, since no joints are named left_shoulder and "
-                       "right_shoulder (see --names)");
+                       ", and the axes cannot be derived, since no joints are named left_shoulder "
+                       "and right_shoulder (see --names)");
   }
   const auto trunk = [&](const Vec3& root, const Vec3& left, const Vec3& right) -> Vec3 {
     return (left + right) / 2 - root;
@@ -75,28 +72,29 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   if (main_axis(recorded_trunk) != up) {
     throw_unknown_axes(
         file,
-        fmt::format("the trunk points along {} in the rest skeleton, but along {} in the recording",
-                    axis_word(up), axis_word(main_axis(recorded_trunk))));
+        fmt::format(
+            ", and the trunk points along {} in the rest skeleton, but along {} in the recording",
+            axis_word(up), axis_word(main_axis(recorded_trunk))));
   }
-  Vec3 line = rest[shoulders->right] - rest[shoulders->left];
-  const bool by_hips = line.norm() == 0 && hips;
-  if (by_hips) line = rest[hips->right] - rest[hips->left];
-  const Vec3 right = near_axis(line, "the line from left to right", file);
+  Vec3 left_to_right = rest[shoulders->right] - rest[shoulders->left];
+  if (left_to_right.norm() == 0 && hips) left_to_right = rest[hips->right] - rest[hips->left];
+  const Vec3 right = near_axis(left_to_right, "the line from left to right", file);
   if (right.dot(up) != 0)
-    throw_unknown_axes(file, "in the rest skeleton trunk and shoulders are along the same axis");
+    throw_unknown_axes(file,
+                       ", and in the rest skeleton trunk and shoulders are along the same axis");
   const Vec3 forward = up.cross(right);
   Eigen::Matrix3d world;
   world << right.transpose(), forward.transpose(), up.transpose();
 
-  const Vec3 first =
+  const Vec3 first_line =
       world * (body.position(0, shoulders->right) - body.position(0, shoulders->left));
-  const double level = std::hypot(first.x(), first.y());
-  if (!(level > kMinShoulderLevelShare * first.norm())) {
-    throw_unknown_axes(file, "the line between the shoulders is not horizontal in the first frame");
+  const double horizontal = std::hypot(first_line.x(), first_line.y());
+  if (!(horizontal > kMinShoulderLevelRatio * first_line.norm())) {
+    throw_unknown_axes(file,
+                       ", and the line between the shoulders is not horizontal in the first frame");
   }
-  reports.push_back(
-      fmt::format("axes derived from the rest skeleton: '{} {} {}' (right, forward, up)",
-                  axis_word(right), axis_word(forward), axis_word(up)));
+  add_note(reports, "axes derived from the rest skeleton: '{} {} {}' (right, forward, up)",
+           axis_word(right), axis_word(forward), axis_word(up));
   return world;
 }
 

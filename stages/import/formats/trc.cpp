@@ -11,6 +11,8 @@
 #include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/trackers/add_note.hpp"
+#include "stages/import/trackers/hand_tracker.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -30,58 +32,46 @@ TrcHeader read_trc_header(const files::CsvText& csv) {
   return header;
 }
 
-/// Returns a value of the header, "" if it is absent.
 std::string value_of(const TrcHeader& header, std::string_view key) {
   const auto found = header.find(key);
   return found == header.end() ? "" : found->second;
 }
 
-double number_of(const files::CsvText& csv, const TrcHeader& header, std::string_view key) {
-  const std::string value = value_of(header, key);
-  return value.empty() ? 0 : csv.number(kValueLine, key, value);
-}
-
 void compare_count(const files::CsvText& csv, const TrcHeader& header, std::string_view key,
-                   std::string_view what, std::size_t count, std::vector<std::string>& reports) {
+                   std::string_view noun, std::size_t count, std::vector<std::string>& reports) {
   const std::string value = value_of(header, key);
   if (value.empty() || csv.number(kValueLine, key, value) == static_cast<double>(count)) return;
-  reports.push_back(fmt::format("the header states {} {}, the file has {}", value, what, count));
+  add_note(reports, "the header states {} {}, the file has {}", value, noun, count);
 }
 
 void check_axes(const files::CsvText& csv, const MarkerColumns& columns) {
   const auto cells = csv.cells(kAxisLine);
   for (std::size_t c = MarkerColumns::kLeadingCount; c < columns.count(); ++c) {
     const std::size_t k = c - MarkerColumns::kLeadingCount;
-    const std::string wanted = fmt::format("{}{}", "XYZ"[k % 3], k / 3 + 1);
-    if (c >= cells.size() || cells[c] != wanted) {
-      csv.fail(kAxisLine, columns.name(c), fmt::format("must be under '{}'", wanted));
-    }
+    const std::string label = fmt::format("{}{}", "XYZ"[k % 3], k / 3 + 1);
+    if (c >= cells.size() || cells[c] != label)
+      csv.fail(kAxisLine, columns.name(c), fmt::format("must be under '{}'", label));
   }
 }
 
-/// Reads the rows from the sixth line on. The times are the file's own; `rate_hz` is only compared.
+/// Reads the rows from the sixth line on, with the file's times, which are compared to `rate_hz`.
 void read_rows(const files::CsvText& csv, const MarkerColumns& columns, double metres,
                double rate_hz, MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
   const std::size_t first = csv.is_blank(kFirstRow) ? kFirstRow + 1 : kFirstRow;
-  markers.position =
-      Array2D<Vec3>(csv.lines.size() - first + 1, columns.names.size(), unknown_point());
+  markers.position = {csv.lines.size() - first + 1, columns.names.size(), unknown_point()};
   for (std::size_t line = first; line <= csv.lines.size(); ++line) {
     const auto cells = csv.cells(line);
     read_points(csv, line, cells, columns, metres, markers.position, line - first);
     csv.number(line, "Frame#", cells[0]);
-    const double time_s = csv.number(line, "Time", cells[1]);
-    if (!markers.time.empty() && !(time_s > markers.time.back())) {
-      csv.fail(line, "Time", "must be greater than in the previous row");
-    }
-    markers.time.push_back(time_s);
+    add_time(csv.number(line, "Time", cells[1]), csv.file, line, "Time", markers.time);
   }
   const double steps = static_cast<double>(markers.time.size() - 1);
   const double rows_hz = steps / (markers.time.back() - markers.time.front());
   if (steps > 0 && rate_hz > 0 && std::abs(rows_hz - rate_hz) > 0.01 * rate_hz) {
-    recording.import_notes.push_back(fmt::format(
-        "the header states {} frames per second, the times give {:.6g}; the times are used",
-        rate_hz, rows_hz));
+    add_note(recording.import_notes,
+             "the header states {} frames per second, the times give {:.6g}; the times are used",
+             rate_hz, rows_hz);
   }
 }
 
@@ -93,16 +83,17 @@ MarkerRecording read_trc_file(const std::filesystem::path& file, const Conventio
   MarkerRecording recording;
   recording.import_notes = csv.notes;
   const auto leading = csv.cells(kNameLine);
-  if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time") {
+  if (leading.size() < 3 || leading[0] != "Frame#" || leading[1] != "Time")
     csv.fail(kNameLine, "", "must begin with 'Frame#' and 'Time'");
-  }
   const TrcHeader header = read_trc_header(csv);
   const MarkerColumns columns{{"Frame#", "Time"}, read_marker_names(csv, kNameLine)};
   check_axes(csv, columns);
   const double metres =
       resolve_unit_m(value_of(header, "Units"), conventions,
                      fmt::format("{}:{}", csv.file, kValueLine), recording.import_notes);
-  const double rate_hz = conventions.rate_hz.value_or(number_of(csv, header, "DataRate"));
+  const std::string rate = value_of(header, "DataRate");
+  const double in_file = rate.empty() ? 0 : csv.number(kValueLine, "DataRate", rate);
+  const double rate_hz = conventions.rate_hz.value_or(in_file);
   recording.markers.names = columns.names;
   read_rows(csv, columns, metres, rate_hz, recording);
   compare_count(csv, header, "NumMarkers", "markers", columns.names.size(), recording.import_notes);

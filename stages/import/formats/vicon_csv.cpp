@@ -1,8 +1,7 @@
 // Vicon's export: sections with blank lines between them, each with a line for its name, the rate
 // [Hz], names, columns, units and a row per frame. The section "Trajectories" names a marker in
 // every third column from the third ("SUBJECT:NAME") over "Frame,Sub Frame,X,Y,Z,…"; an empty cell
-// is a marker that was not seen. The file does not contain its axes: X right, Y forward and Z up
-// are usual.
+// is a marker that was not seen. The axes are not in the file; X right, Y forward, Z up are usual.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,6 +12,7 @@
 #include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -54,13 +54,11 @@ Section find_section(const files::CsvText& csv, std::vector<std::string>& report
   }
   if (markers.first == 0) csv.fail(1, "", "section 'Trajectories' not found");
   if (markers.last < markers.first + 5) csv.fail(markers.last, "", "ends before the first frame");
-  if (!others.empty()) {
-    reports.push_back(fmt::format("sections skipped: {}", fmt::join(others, ", ")));
-  }
+  if (!others.empty()) add_note(reports, "sections skipped: {}", fmt::join(others, ", "));
   return markers;
 }
 
-/// Replaces "SUBJECT:NAME" by NAME if there is only one subject and the names stay different.
+/// Replaces "SUBJECT:NAME" by NAME if there is one subject, and the names stay different.
 void strip_subject(std::vector<std::string>& names, std::string& subject,
                    std::vector<std::string>& reports) {
   std::set<std::string> subjects, stripped;
@@ -71,64 +69,59 @@ void strip_subject(std::vector<std::string>& names, std::string& subject,
   }
   if (subjects.empty()) return;
   if (subjects.size() > 1 || stripped.size() < names.size()) {
-    reports.push_back(
-        fmt::format("marker names keep the subject as prefix: {}", fmt::join(subjects, ", ")));
+    add_note(reports, "marker names keep the subject as prefix: {}", fmt::join(subjects, ", "));
     return;
   }
   subject = *subjects.begin();
   for (std::string& name : names) name.erase(0, name.find(':') + 1);
 }
 
-/// Returns the unit below every column, "" if there are no units.
+/// Checks the axes in a line and the units below; returns the unit of all columns, "" if absent.
 std::string read_columns_and_unit(const files::CsvText& csv, std::size_t line,
                                   const MarkerColumns& columns) {
   const auto axes = csv.cells(line), units = csv.cells(line + 1);
   for (std::size_t c = 0; c < columns.count(); ++c) {
     const std::string name = columns.name(c);
-    const std::string_view wanted = c < MarkerColumns::kLeadingCount
-                                        ? std::string_view(name)
-                                        : std::string_view(name).substr(name.size() - 1);
-    if (cell_at(axes, c) != wanted) csv.fail(line, name, "the column is missing");
+    const std::string label =
+        c < MarkerColumns::kLeadingCount ? name : name.substr(name.size() - 1);
+    if (cell_at(axes, c) != label) csv.fail(line, name, "the column is missing");
   }
   const std::string_view unit = cell_at(units, MarkerColumns::kLeadingCount);
   for (std::size_t c = MarkerColumns::kLeadingCount; c < columns.count(); ++c) {
     if (cell_at(units, c) == unit) continue;
     csv.fail(line + 1, columns.name(c), "has another unit than the first column");
   }
-  for (const auto& [behind, cells] : {std::pair(line, &axes), std::pair(line + 1, &units)}) {
+  for (const auto& [cells_line, cells] : {std::pair(line, &axes), std::pair(line + 1, &units)}) {
     for (std::size_t c = columns.count(); c < cells->size(); ++c) {
       if ((*cells)[c].empty()) continue;
-      csv.fail(behind, fmt::format("column {}", c + 1), "belongs to no marker");
+      csv.fail(cells_line, fmt::format("column {}", c + 1), "belongs to no marker");
     }
   }
   return std::string(unit);
 }
 
-/// Reads the frames from `line` to `last` into `markers` and reports omitted numbers.
+/// Reads the frames in the lines from `line` to `last`, and reports missing frame numbers.
 void read_frames(const files::CsvText& csv, std::size_t line, std::size_t last,
                  const MarkerColumns& columns, double metres, double rate_hz,
                  MarkerRecording& recording) {
   MarkerStream& markers = recording.markers;
   markers.position = Array2D<Vec3>(last - line + 1, columns.names.size(), unknown_point());
-  double before = 0, left_out = 0;
+  double previous_frame = 0, missing = 0;
   for (std::size_t row = 0; line <= last; ++line, ++row) {
     const auto cells = csv.cells(line);
     read_points(csv, line, cells, columns, metres, markers.position, row);
     const double frame = csv.number(line, "Frame", cells[0]);
-    if (csv.number(line, "Sub Frame", cells[1]) != 0) {
+    if (csv.number(line, "Sub Frame", cells[1]) != 0)
       csv.fail(line, "Sub Frame", "must be 0; sub-frames are not supported");
-    }
-    if (frame != std::floor(frame) || frame < 1) {
+    if (frame != std::floor(frame) || frame < 1)
       csv.fail(line, "Frame", "must be a whole number, at least 1");
-    }
-    if (frame <= before) csv.fail(line, "Frame", "must be greater than in the previous row");
-    if (row > 0) left_out += frame - before - 1;
-    before = frame;
+    if (frame <= previous_frame)
+      csv.fail(line, "Frame", "must be greater than in the previous row");
+    if (row > 0) missing += frame - previous_frame - 1;
+    previous_frame = frame;
     markers.time.push_back((frame - 1) / rate_hz);
   }
-  if (left_out > 0) {
-    recording.import_notes.push_back(fmt::format("{} frame numbers are missing", left_out));
-  }
+  if (missing > 0) add_note(recording.import_notes, "{} frame numbers are missing", missing);
 }
 
 MarkerRecording read_vicon_file(const std::filesystem::path& file, const Conventions& conventions) {

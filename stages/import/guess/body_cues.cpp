@@ -7,55 +7,41 @@
 #include <string>
 
 #include "core/math/rotation.hpp"
-#include "core/motion/side.hpp"
+#include "stages/import/guess/constants.hpp"
 
 namespace morphe::imports {
 namespace {
-
-/// In nine trials of five people at a table, a resting hand is 8 to 26 degrees outside of straight
-/// ahead of its shoulder and points inwards: forearms by 4 to 17 degrees, fingers by 7 to 28.
-constexpr double kRestHandAzimuth_rad = 15 * kRadPerDegree, kFingersInward_rad = 12 * kRadPerDegree;
-/// Angle of a shoulder behind the breastbone's side: 20 to 32 degrees in the same trials.
-constexpr double kShoulderBehind_rad = 25 * kRadPerDegree;
 
 struct CueCollector {
   CueSource source = CueSource::trunk;
   std::vector<BodyCue> all;
 
-  void add(const Vec3& recorded, const Vec3& world, double weight, const char* what,
-           bool signless = false, CuePurpose use = CuePurpose::both) {
-    if (is_known(recorded) && recorded.norm() > 0) {
-      all.push_back(
-          {recorded.normalized(), world.normalized(), weight, source, what, signless, use});
-    }
+  void add(const Vec3& recorded, const Vec3& world, double weight, const char* description,
+           bool undirected = false, CuePurpose purpose = CuePurpose::both) {
+    if (!is_known(recorded) || !(recorded.norm() > 0)) return;
+    all.push_back({recorded.normalized(), world.normalized(), weight, source, description,
+                   undirected, purpose});
   }
 };
 
-Vec3 mean_from_to(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
-  std::vector<Vec3> lines;
-  for (std::size_t i = 0; i < from.size(); ++i) lines.push_back(to[i] - from[i]);
-  return mean_of(lines);
+Vec3 mean_from_to(const std::vector<Vec3>& origin, const std::vector<Vec3>& target) {
+  std::vector<Vec3> vectors;
+  for (int i = 0; i < std::ssize(origin); ++i) vectors.push_back(target[i] - origin[i]);
+  return mean_of(vectors);
 }
 
-/// Returns the direction along which a track moves least.
-Vec3 least_travel(const std::vector<Vec3>& track) {
-  const Vec3 mean = mean_of(track);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : track) {
-    if (is_known(point)) spread += (point - mean) * (point - mean).transpose();
-  }
-  if (!spread.allFinite() || spread.trace() <= 0) return unknown_point();
-  return math::principal_axes(spread).axes.col(0);
+Vec3 direction_of_least_travel(const std::vector<Vec3>& track) {
+  const Eigen::Matrix3d scatter = scatter_of(track);
+  if (!scatter.allFinite() || scatter.trace() <= 0) return unknown_point();
+  return math::principal_axes(scatter).axes.col(0);
 }
 
-/// The region around the first seen point of a track, with a quarter of its largest distance as
-/// radius.
+/// A ball around the first seen point of a track. While the track is inside, it counts as at rest.
 struct RestRegion {
   Vec3 first = unknown_point();
   double radius = 0;
 
   explicit RestRegion(const std::vector<Vec3>& track) {
-    constexpr double kRestRadiusRatio = 0.25;
     for (const Vec3& point : track) {
       if (!is_known(point)) continue;
       if (!is_known(first)) first = point;
@@ -65,7 +51,7 @@ struct RestRegion {
   bool contains(const Vec3& point) const { return (point - first).norm() <= radius; }
 };
 
-/// Returns the vector from the start of a track to the point at which it leaves that region.
+/// Returns the vector from the start of a track to the point at which it leaves its rest region.
 Vec3 departure_direction(const std::vector<Vec3>& track) {
   const RestRegion rest(track);
   for (const Vec3& point : track) {
@@ -76,15 +62,15 @@ Vec3 departure_direction(const std::vector<Vec3>& track) {
 
 std::vector<Vec3> midpoints(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   std::vector<Vec3> track;
-  for (std::size_t i = 0; i < a.size(); ++i) track.push_back(mean_of({a[i], b[i]}));
+  for (int i = 0; i < std::ssize(a); ++i) track.push_back(mean_of({a[i], b[i]}));
   return track;
 }
 
-std::vector<Vec3> track_or_fallback(std::vector<Vec3> track, const std::vector<Vec3>& otherwise) {
-  return is_known(mean_of(track)) ? track : otherwise;
+std::vector<Vec3> track_or_fallback(std::vector<Vec3> track, const std::vector<Vec3>& fallback) {
+  return is_known(mean_of(track)) ? track : fallback;
 }
 
-/// Returns the track of the joint, or of the cluster on the hand.
+/// Returns the track of the wrist or, if it was never seen, of the cluster on the hand.
 std::vector<Vec3> wrist_track(const RecordedPoints& points, Side side) {
   const std::string name(name_of(side));
   return track_or_fallback(mean_track(points, name + " wrist"), mean_track(points, name + " hand"));
@@ -102,10 +88,10 @@ void add_trunk(const RecordedPoints& points, CueCollector& cues) {
   cues.add(mean_from_to(left_hip, right_hip), X, 3, "from the left hip to the right");
   cues.add(mean_from_to(track("back"), track("chest")), Y, 2, "from the back to the chest");
   const auto chest = track("chest");
-  std::vector<Vec3> middle;  // both must be seen: a single one is beside the chest
-  for (std::size_t i = 0; i < left.size(); ++i) middle.emplace_back((left[i] + right[i]) / 2);
-  cues.add(mean_from_to(middle, chest), 2 * Y - Z, 1, "the chest is in front of the shoulders");
-  if (!is_known(mean_of(middle))) {
+  std::vector<Vec3> midway;  // known only if both shoulders are: a single one is beside the chest
+  for (int i = 0; i < std::ssize(left); ++i) midway.emplace_back((left[i] + right[i]) / 2);
+  cues.add(mean_from_to(midway, chest), 2 * Y - Z, 1, "the chest is in front of the shoulders");
+  if (!is_known(mean_of(midway))) {
     const Vec3 aside = std::cos(kShoulderBehind_rad) * X,
                behind = -std::sin(kShoulderBehind_rad) * Y;
     cues.add(mean_from_to(chest, right), behind + aside, 1, "the shoulder is beside the chest");
@@ -121,13 +107,13 @@ void add_trunk(const RecordedPoints& points, CueCollector& cues) {
   }
 }
 
-/// Adds the cues of an arm, for recordings without the body.
+/// Adds the cues of an arm, which matter most if the trunk was not recorded.
 void add_arm(const RecordedPoints& points, Side side, CueCollector& cues) {
   const auto track = [&](const char* part) {
     return mean_track(points, fmt::format("{} {}", name_of(side), part));
   };
   const auto shoulder = track("shoulder");
-  // Clusters replace joints that were not recorded: the elbow is between two of them.
+  // An elbow that was not recorded is between the clusters on upper arm and forearm.
   const auto elbow =
       track_or_fallback(track("elbow"), midpoints(track("upper arm"), track("forearm")));
   const auto wrist = wrist_track(points, side);
@@ -135,18 +121,19 @@ void add_arm(const RecordedPoints& points, Side side, CueCollector& cues) {
   const Vec3 up = mean_from_to(elbow, shoulder);
   cues.source = CueSource::arm;
   cues.add(up, Vec3::UnitZ(), 1, "the elbow is below the shoulder");
-  Vec3 reach = mean_from_to(shoulder, wrist);
-  cues.add(reach, Vec3::UnitY() + std::tan(kRestHandAzimuth_rad) * out, 1,
+  Vec3 to_wrist = mean_from_to(shoulder, wrist);
+  cues.add(to_wrist, Vec3::UnitY() + std::tan(kRestHandAzimuth_rad) * out, 1,
            "the hand is in front of the shoulder", false, CuePurpose::heading);
-  if (is_known(up) && up.norm() > 0) reach -= up.normalized() * up.normalized().dot(reach);
-  cues.add(reach, Vec3::UnitY(), 1, "the hand is in front of the shoulder", false,
+  if (is_known(up) && up.norm() > 0) to_wrist -= up.normalized() * up.normalized().dot(to_wrist);
+  cues.add(to_wrist, Vec3::UnitY(), 1, "the hand is in front of the shoulder", false,
            CuePurpose::axes);
   cues.add(mean_from_to(midpoints(shoulder, wrist), elbow), out - Vec3::UnitZ(), 0.5,
            "the elbow is outside of the line from shoulder to hand", false, CuePurpose::axes);
-  cues.add(least_travel(wrist), Vec3::UnitZ(), 0.7, "the hand travels along a table", true);
+  cues.add(direction_of_least_travel(wrist), Vec3::UnitZ(), 0.7, "the hand travels along a table",
+           true);
 }
 
-/// Adds the cues of a hand, for recordings without an arm.
+/// Adds the cues of a hand, which matter most if its arm was not recorded.
 void add_hand(const RecordedPoints& points, Side side, CueCollector& cues) {
   const auto wrist = wrist_track(points, side);
   const double out = side == Side::right ? 1 : -1;
@@ -177,18 +164,16 @@ RecordedPoints frames_at_rest(const RecordedPoints& points, Side hand) {
   const std::vector<Vec3> wrist = wrist_track(points, hand);
   const RestRegion rest(wrist);
   if (!is_known(rest.first)) return points;
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < wrist.size(); ++i) {
-    if (rest.contains(wrist[i])) rows.push_back(i);
+  RecordedPoints at_rest{points.names, points.parts, points.parents, {}, {}};
+  at_rest.position.cols = points.position.cols;
+  for (int i = 0; i < std::ssize(wrist); ++i) {
+    if (!rest.contains(wrist[i])) continue;
+    at_rest.time.push_back(points.time[i]);
+    ++at_rest.position.rows;
+    for (std::size_t k = 0; k < points.position.cols; ++k)
+      at_rest.position.values.push_back(points.position(i, k));
   }
-  RecordedPoints there{points.names, points.parts, points.parents, {}, {}};
-  const std::size_t columns = points.position.cols;
-  there.position = Array2D<Vec3>(rows.size(), columns, unknown_point());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    there.time.push_back(points.time[rows[i]]);
-    for (std::size_t k = 0; k < columns; ++k) there.position(i, k) = points.position(rows[i], k);
-  }
-  return there;
+  return at_rest;
 }
 
 }  // namespace morphe::imports

@@ -19,26 +19,22 @@ constexpr std::array<std::string_view, 3> names_of(Confidence) {
 
 /// A value that was computed from the data, with its confidence and reason.
 struct Guess {
-  std::string value;                            ///< "" if the data do not determine it
-  Confidence confidence = Confidence::guessed;  ///< confidence in the value
-  std::string reason;                           ///< half a sentence
+  std::string value;  ///< "" if the data do not determine it
+  Confidence confidence = Confidence::guessed;
+  std::string reason;  ///< half a sentence
 };
 
-/// Guesses the recorded axes that point right, forward and up, as Conventions::axes: among the 24
-/// right-handed choices the one that agrees best with the body (from left to right shoulder or hip,
-/// from hips to shoulders and head, from ankle to toe), and with lower weight with the posture and
-/// reach of an arm: the elbow below and outside of the shoulder, the hand in front of it, along a
-/// table.
+/// Guesses the recorded axes that point right, forward and up, as in Conventions::axes: of the 24
+/// right-handed choices the one that agrees best with the cues of trunk and arms (body_cues.hpp).
 Guess guess_axes(const RecordedPoints& points);
 
-/// Guesses the length unit in metres, as Conventions::unit: the one of mm, cm, m and in with which
-/// upper arm, forearm, shoulders and hand have usual lengths, or a number if there is no such unit.
-/// Uses the extent of all points if no such length can be determined.
+/// Guesses the unit of length, as in Conventions::unit: the one of mm, cm, m, in and ft with which
+/// upper arm, forearm, shoulders and hand have usual lengths; if none fits, metres per unit as a
+/// number. Without such lengths, it is the one of mm, cm and m that fits the extent of all points.
 Guess guess_unit(const RecordedPoints& points);
 
-/// Guesses the number of frames per second of a recording read at 1 Hz: a usual rate at which the
-/// hand, at its fastest, has the speed of a reach. `unit_m` is the length in metres of one recorded
-/// unit.
+/// Guesses the frames per second: the usual rate with which the fastest points of 5 % of the frames
+/// exceed 1 m/s. Times are not used; `unit_m` is the length of one recorded unit [m].
 Guess guess_rate(const RecordedPoints& points, double unit_m);
 
 }  // namespace morphe::imports

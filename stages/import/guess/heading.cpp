@@ -6,85 +6,76 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/convention_guess.hpp"
 #include "stages/import/guess/rotate_demonstration.hpp"
 
 namespace morphe::imports {
 namespace {
 
-// Similar to a cosine: cues with a lower agreement are contradictory.
-constexpr double kMinCueAgreement = 0.6;
-// Mean vector of the shoulder line relative to its mean length.
-constexpr double kConstantHeadingRatio = 0.8;
-constexpr double kInitialInterval_s = 1;  // used if the person turns during the recording
-constexpr double kLargeYaw_rad = 45 * kRadPerDegree;
-
-/// Returns the heading estimated from cues of one kind.
-std::optional<HeadingEstimate> heading_from_cues(const std::vector<BodyCue>& cues, CueSource kind) {
-  double cosine = 0, sine = 0, weights = 0;
-  std::vector<std::string> because;
+std::optional<HeadingEstimate> heading_from_cues(const std::vector<BodyCue>& cues,
+                                                 CueSource source) {
+  double cosine_sum = 0, sine_sum = 0, weight_sum = 0;
+  std::vector<std::string> reasons;
   for (const BodyCue& cue : cues) {
-    if (cue.source != kind || cue.undirected || cue.purpose == CuePurpose::axes) continue;
+    if (cue.source != source || cue.undirected || cue.purpose == CuePurpose::axes) continue;
     const double weight = cue.weight * cue.recorded.head<2>().norm() * cue.world.head<2>().norm();
-    cosine += cue.weight * cue.world.head<2>().dot(cue.recorded.head<2>());
-    sine += cue.weight * (cue.recorded.x() * cue.world.y() - cue.recorded.y() * cue.world.x());
-    weights += weight;
-    constexpr double kMinHorizontalShare = 0.2;
-    if (weight > kMinHorizontalShare * cue.weight &&
-        std::ranges::find(because, cue.description) == because.end()) {
-      because.emplace_back(cue.description);
+    cosine_sum += cue.weight * cue.world.head<2>().dot(cue.recorded.head<2>());
+    sine_sum += cue.weight * (cue.recorded.x() * cue.world.y() - cue.recorded.y() * cue.world.x());
+    weight_sum += weight;
+    if (weight > kMinHorizontalProduct * cue.weight &&
+        std::ranges::find(reasons, cue.description) == reasons.end()) {
+      reasons.emplace_back(cue.description);
     }
   }
-  if (because.empty()) return std::nullopt;
-  return HeadingEstimate{std::atan2(sine, cosine), kind, std::hypot(sine, cosine) / weights, false,
-                         fmt::format("{}", fmt::join(because, "; "))};
+  if (reasons.empty()) return std::nullopt;
+  return HeadingEstimate{std::atan2(sine_sum, cosine_sum), source,
+                         std::hypot(sine_sum, cosine_sum) / weight_sum, false,
+                         fmt::format("{}", fmt::join(reasons, "; "))};
 }
 
-/// Returns true if the heading of the trunk is constant.
 bool has_constant_heading(const RecordedPoints& points) {
   const auto left = mean_track(points, "left shoulder"),
              right = mean_track(points, "right shoulder");
-  std::vector<Vec3> lines;
-  double lengths = 0, count = 0;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    Vec3 line = right[i] - left[i];
-    line.z() = 0;
-    lines.push_back(line);
-    if (!is_known(line)) continue;
-    lengths += line.norm();
+  std::vector<Vec3> left_to_right;
+  double length_sum = 0, count = 0;
+  for (int i = 0; i < std::ssize(left); ++i) {
+    Vec3 horizontal = right[i] - left[i];
+    horizontal.z() = 0;
+    left_to_right.push_back(horizontal);
+    if (!is_known(horizontal)) continue;
+    length_sum += horizontal.norm();
     ++count;
   }
-  return count == 0 || mean_of(lines).norm() > kConstantHeadingRatio * lengths / count;
+  return count == 0 || mean_of(left_to_right).norm() > kConstantHeadingRatio * length_sum / count;
 }
 
 RecordedPoints initial_interval(const RecordedPoints& points) {
-  RecordedPoints begin = points;
-  const auto until =
-      std::ranges::upper_bound(points.time, points.time.front() + kInitialInterval_s);
-  const auto rows = static_cast<std::size_t>(until - points.time.begin());
-  begin.time.resize(rows);
-  begin.position.rows = rows;
-  begin.position.values.resize(rows * points.position.cols);
-  return begin;
+  RecordedPoints initial = points;
+  auto& [names, parts, parents, time, position] = initial;
+  time.erase(std::ranges::upper_bound(time, time.front() + kInitialInterval_s), time.end());
+  position.rows = time.size();
+  position.values.resize(position.rows * position.cols);
+  return initial;
 }
 
 std::string heading_report(const HeadingEstimate& facing) {
   const double degrees = facing.yaw_rad / kRadPerDegree;
-  const std::string by =
+  const std::string reason =
       facing.source == CueSource::trunk
-          ? facing.because
+          ? facing.reason
           : fmt::format("a guess from the {} only: {}",
-                        facing.source == CueSource::arm ? "arm" : "hand", facing.because);
+                        facing.source == CueSource::arm ? "arm" : "hand", facing.reason);
   std::string text =
       std::abs(facing.yaw_rad) > kLargeYaw_rad
           ? fmt::format(
                 "the person faces {:.0f} degrees away from the forward axis: the recording was "
                 "rotated about the vertical, so that the person faces Y ({})",
-                std::abs(degrees), by)
+                std::abs(degrees), reason)
           : fmt::format(
                 "recording rotated by {:.1f} degrees about the vertical, so that the person faces "
                 "Y ({})",
-                degrees, by);
+                degrees, reason);
   if (facing.heading_changes)
     text += "; the person turns later: facing direction of the first second";
   return text;
@@ -98,10 +89,10 @@ std::optional<HeadingEstimate> estimate_heading(const RecordedPoints& points, Si
   const bool turns = !has_constant_heading(rest);
   const std::vector<BodyCue> at_rest = body_cues(turns ? initial_interval(rest) : rest),
                              throughout = body_cues(points);
-  for (const CueSource kind :
+  for (const CueSource source :
        {CueSource::trunk, CueSource::arm, CueSource::hand, CueSource::reach}) {
-    std::optional<HeadingEstimate> facing = heading_from_cues(at_rest, kind);
-    if (!facing) facing = heading_from_cues(throughout, kind);
+    std::optional<HeadingEstimate> facing = heading_from_cues(at_rest, source);
+    if (!facing) facing = heading_from_cues(throughout, source);
     if (!facing) continue;
     facing->heading_changes = turns;
     return facing;
@@ -121,14 +112,14 @@ void apply_body_heading(const Conventions& given, Demonstration& demonstration) 
     demonstration.import_notes.push_back(
         fmt::format("the facing direction is unclear, since these contradict each other: {}; the "
                     "recorded axes are kept",
-                    facing->because));
+                    facing->reason));
     return;
   }
   rotate_about_vertical(demonstration, facing->yaw_rad);
   demonstration.import_notes.push_back(heading_report(*facing));
 }
 
-/// Reports a disagreement between body and axes; for given axes only if the body is not upright.
+/// Reports that body and axes disagree; if the axes were given, only if the body is not upright.
 void report_axes_mismatch(bool given, Demonstration& demonstration) {
   const Guess guess = guess_axes(recorded_points(demonstration.streams, demonstration.hand));
   const bool upright = guess.value.ends_with(" z");

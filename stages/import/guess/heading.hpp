@@ -11,24 +11,23 @@ namespace morphe::imports {
 /// The heading of a person, estimated from the body.
 struct HeadingEstimate {
   double yaw_rad = 0;  ///< rotation about Z after which the person faces Y [rad], in (-pi, pi]
-  CueSource source = CueSource::trunk;  ///< part of the body from which it was estimated
-  double agreement = 1;  ///< agreement of the cues with each other; 1 if all of them are equal
-  bool heading_changes = false;  ///< true if the person turns round; the first second is used
-  std::string because;           ///< half a sentence
+  CueSource source = CueSource::trunk;  ///< the part of the body that gave the cues
+  double agreement = 1;          ///< 1 if all cues give the same yaw, 0 if they cancel each other
+  bool heading_changes = false;  ///< true if the person turns; the first second at rest is used
+  std::string reason;            ///< half a sentence
 };
 
-/// Estimates the rotation that maximises the sum over the cues of weight * <world, Rz(turn)
-/// recorded>, over their horizontal parts, using the most reliable kind of cues, in the frames at
-/// rest (body_cues.hpp), or in all frames if those contain no such cue. If the world is rotated by
-/// an angle, the estimate changes by that angle. Returns no value if no cue is horizontal. Z of the
-/// points is up; `hand` is the recorded hand.
+/// Estimates the yaw that maximises the sum of weight · <world, Rz(yaw) recorded> over the
+/// horizontal parts of the cues (body_cues.hpp) of one source: the most reliable source that has
+/// horizontal cues in the frames at rest or, failing that, in all frames. Z of the points must be
+/// up; `hand` is the recorded hand. Returns no value without horizontal cues.
 std::optional<HeadingEstimate> estimate_heading(const RecordedPoints& points, Side hand);
 
-/// Rotates a whole recording, its calibration and its objects about the vertical, so that the
-/// person faces Y. It is not rotated if the axes determine the forward direction, if they were
-/// given and the trunk was not recorded, or if the cues are missing or contradictory. A hand in a
-/// frame of its own (keypoints alone) has no position and is left unchanged. Adds to `reports` the
-/// action taken, and a disagreement of the body with axes that were not given.
+/// Rotates a recording, its calibration and its objects about the vertical, so that the person
+/// faces Y. Keeps the heading if `given.forward` is `recorded`, if its cues are missing or
+/// contradict each other, or if `given` has axes and the trunk was not recorded. Adds notes on the
+/// rotation, on contradictory cues, and on axes that contradict the body; axes in `given` only if
+/// the body is not upright. Keypoints without an arm and reconstructed skeletons are unchanged.
 void align_heading(const Conventions& given, Demonstration& demonstration);
 
 }  // namespace morphe::imports

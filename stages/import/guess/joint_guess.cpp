@@ -4,133 +4,115 @@
 
 #include "core/motion/human_motion.hpp"
 #include "stages/import/guess/name_guess.hpp"
-#include "stages/import/guess/recorded_words.hpp"
+#include "stages/import/guess/recorded_name.hpp"
 #include "stages/import/recording/arm_names.hpp"
 
 namespace morphe::imports {
 namespace {
 
 struct SkeletonNames {
-  std::vector<RecordedWords> words;
+  std::vector<RecordedName> names;
   std::vector<int> parent, depth;
 
-  std::optional<std::size_t> above(std::size_t joint) const {
-    if (parent[joint] < 0) return std::nullopt;
-    return parent[joint];
+  std::optional<int> parent_of(int joint) const {
+    return parent[joint] < 0 ? std::nullopt : std::optional(parent[joint]);
   }
-  bool below(std::size_t joint, std::size_t ancestor) const {
-    for (int at = parent[joint]; at >= 0; at = parent[at]) {
-      if (static_cast<std::size_t>(at) == ancestor) return true;
-    }
-    return false;
+  bool is_below(int joint, int ancestor) const {
+    do {
+      joint = parent[joint];
+    } while (joint >= 0 && joint != ancestor);
+    return joint >= 0;
   }
 };
 
 SkeletonNames skeleton_of(const std::vector<std::string>& names,
                           const std::vector<std::string>& parents) {
   SkeletonNames skeleton;
-  std::map<std::string, int> at;
-  for (std::size_t j = 0; j < names.size(); ++j) {
-    skeleton.words.push_back(parse_recorded_name(names[j]));
-    const auto found = at.find(parents[j]);
-    const int parent = found == at.end() ? -1 : found->second;
+  std::map<std::string, int> index;
+  for (int j = 0; j < std::ssize(names); ++j) {
+    skeleton.names.push_back(parse_recorded_name(names[j]));
+    const auto entry = index.find(parents[j]);
+    const int parent = entry == index.end() ? -1 : entry->second;
     skeleton.parent.push_back(parent);
     skeleton.depth.push_back(parent < 0 ? 0 : skeleton.depth[parent] + 1);
-    at.emplace(names[j], static_cast<int>(j));
+    index.emplace(names[j], j);
   }
   return skeleton;
 }
 
-using Test = bool (*)(const RecordedWords&);
+using NameTest = bool (*)(const RecordedName&);
 
-bool any_finger(const RecordedWords& w) {
-  return std::ranges::any_of(kFingerWords, [&](BodyWord f) { return w.has(f); }) ||
-         w.has(BodyWord::finger);
+bool names_finger(const RecordedName& n) {
+  return std::ranges::any_of(kFingerTerms, [&](BodyTerm finger) { return n.has(finger); }) ||
+         n.has(BodyTerm::finger);
 }
-bool names_forearm(const RecordedWords& w) {
-  return w.has(BodyWord::forearm) || (w.has(BodyWord::arm) && w.has(BodyWord::lower));
+bool names_forearm(const RecordedName& n) {
+  return n.has(BodyTerm::forearm) || (n.has(BodyTerm::arm) && n.has(BodyTerm::lower));
 }
-bool names_upper_arm(const RecordedWords& w) {
-  return w.has(BodyWord::upper_arm) || (w.has(BodyWord::arm) && !names_forearm(w));
+bool names_upper_arm(const RecordedName& n) {
+  return n.has(BodyTerm::upper_arm) || (n.has(BodyTerm::arm) && !names_forearm(n));
 }
-bool names_shoulder(const RecordedWords& w) { return w.has(BodyWord::shoulder); }
-bool names_elbow(const RecordedWords& w) { return w.has(BodyWord::elbow); }
-bool names_wrist(const RecordedWords& w) { return w.has(BodyWord::wrist) && !any_finger(w); }
-bool names_hand(const RecordedWords& w) {
-  return w.has(BodyWord::hand) && !any_finger(w) && !w.has(BodyWord::tip);
+bool names_shoulder(const RecordedName& n) { return n.has(BodyTerm::shoulder); }
+bool names_elbow(const RecordedName& n) { return n.has(BodyTerm::elbow); }
+bool names_wrist(const RecordedName& n) { return n.has(BodyTerm::wrist) && !names_finger(n); }
+bool names_hand(const RecordedName& n) {
+  return n.has(BodyTerm::hand) && !names_finger(n) && !n.has(BodyTerm::tip);
 }
-bool names_hip(const RecordedWords& w) {
-  return w.has(BodyWord::hip) || w.has(BodyWord::thigh) ||
-         (w.has(BodyWord::leg) && w.has(BodyWord::upper));
+bool names_hip(const RecordedName& n) {
+  return n.has(BodyTerm::hip) || n.has(BodyTerm::thigh) ||
+         (n.has(BodyTerm::leg) && n.has(BodyTerm::upper));
 }
-bool names_leg(const RecordedWords& w) { return w.has(BodyWord::leg) && !w.has(BodyWord::lower); }
+bool names_leg(const RecordedName& n) { return n.has(BodyTerm::leg) && !n.has(BodyTerm::lower); }
 
-/// Returns the matching joint nearest to the root, of a side and below another joint if there is
-/// one.
-std::optional<std::size_t> first_joint(const SkeletonNames& skeleton, BodyWord side, Test says,
-                                       std::optional<std::size_t> above = {}) {
-  std::optional<std::size_t> first;
-  for (std::size_t j = 0; j < skeleton.words.size(); ++j) {
-    const RecordedWords& words = skeleton.words[j];
-    if (!words.has(side) || words.has(BodyWord::twist) || !says(words)) continue;
-    if (above && !skeleton.below(j, *above)) continue;
+/// Returns the joint nearest to the root, below `ancestor` if given, whose name passes the test.
+std::optional<int> first_joint(const SkeletonNames& skeleton, BodyTerm side, NameTest test,
+                               std::optional<int> ancestor) {
+  std::optional<int> first;
+  for (int j = 0; j < std::ssize(skeleton.names); ++j) {
+    const RecordedName& name = skeleton.names[j];
+    if (!name.has(side) || name.has(BodyTerm::twist) || !test(name)) continue;
+    if (ancestor && !skeleton.is_below(j, *ancestor)) continue;
     if (!first || skeleton.depth[j] < skeleton.depth[*first]) first = j;
   }
   return first;
 }
 
-template <class... Tests>
-std::optional<std::size_t> first_of(const SkeletonNames& skeleton, BodyWord side,
-                                    std::optional<std::size_t> above, Tests... tests) {
-  std::optional<std::size_t> found;
-  ((found = found ? found : first_joint(skeleton, side, tests, above)), ...);
-  return found;
+/// Returns the first joint that passes `test`; if there is no such joint, that of `otherwise`.
+std::optional<int> first_joint(const SkeletonNames& skeleton, BodyTerm side,
+                               std::optional<int> ancestor, NameTest test, NameTest otherwise) {
+  const std::optional<int> joint = first_joint(skeleton, side, test, ancestor);
+  return joint ? joint : first_joint(skeleton, side, otherwise, ancestor);
 }
 
-/// Returns true for a joint of the finger. Biped numbers its fingers: "Finger0", "Finger01" the
-/// thumb, "Finger1", "Finger11" the index finger.
-bool is_of_finger(const RecordedWords& words, std::size_t finger) {
-  if (words.has(BodyWord::toe)) return false;
-  if (words.has(kFingerWords[finger])) return true;
-  const bool counted = words.has(BodyWord::finger) && !words.numbers.empty() &&
-                       std::ranges::none_of(kFingerWords, [&](BodyWord f) { return words.has(f); });
+/// Returns true for a joint of the finger. 3ds Max Biped numbers fingers by the first digit, their
+/// joints by the second: the thumb is Finger0, Finger01, …, the index finger Finger1, Finger11, ….
+bool is_of_finger(const RecordedName& name, int finger) {
+  if (name.has(BodyTerm::toe)) return false;
+  if (name.has(kFingerTerms[finger])) return true;
+  const bool counted = name.has(BodyTerm::finger) && !name.numbers.empty() &&
+                       std::ranges::none_of(kFingerTerms, [&](BodyTerm f) { return name.has(f); });
   if (!counted) return false;
-  int number = words.numbers[0];
+  int number = name.numbers[0];
   while (number >= 10) number /= 10;
-  return number == static_cast<int>(finger);
+  return number == finger;
 }
 
-/// Adds the finger's joints along one chain; joints before the last four are inside the palm.
+/// Adds the names of the finger's joints: the last four of a chain; those before are in the palm.
 void add_finger(const SkeletonNames& skeleton, const std::vector<std::string>& names,
-                const std::string& side, std::size_t wrist, std::size_t finger,
-                GuessedNames& guessed) {
-  std::vector<std::size_t> chain;
-  for (std::size_t j = 0; j < names.size(); ++j) {
-    if (!skeleton.below(j, wrist) || !is_of_finger(skeleton.words[j], finger)) continue;
-    if (chain.empty() || skeleton.below(j, chain.back())) chain.push_back(j);
+                const std::string& side, int wrist, int finger, GuessedNames& guessed) {
+  std::vector<int> chain;
+  for (int j = 0; j < std::ssize(names); ++j) {
+    if (!skeleton.is_below(j, wrist) || !is_of_finger(skeleton.names[j], finger)) continue;
+    if (chain.empty() || skeleton.is_below(j, chain.back())) chain.push_back(j);
   }
   const std::vector<std::string> joints = finger_joint_names(finger);
-  std::vector<std::size_t> slots;
-  switch (chain.size()) {
-    case 0:
-      return;
-    case 1:
-      slots = {3};
-      break;
-    case 2:
-      slots = {finger == kThumb ? 1u : 0u, 3};
-      break;
-    case 3:
-      slots =
-          finger == kThumb ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{0, 1, 3};
-      break;
-    default:
-      chain.erase(chain.begin(), chain.end() - 4);
-      slots = {0, 1, 2, 3};
-  }
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    guessed.emplace_back(names[chain[i]], side + joints[slots[i]]);
-  }
+  if (chain.size() > 4) chain.erase(chain.begin(), chain.end() - 4);
+  // Indices in `joints` of the members of a chain, by the number of its members.
+  static const std::vector<int> kThumbChains[] = {{}, {3}, {1, 3}, {1, 2, 3}, {0, 1, 2, 3}};
+  static const std::vector<int> kFingerChains[] = {{}, {3}, {0, 3}, {0, 1, 3}, {0, 1, 2, 3}};
+  const std::vector<int>& indices = (finger == 0 ? kThumbChains : kFingerChains)[chain.size()];
+  for (int i = 0; i < std::ssize(chain); ++i)
+    guessed.emplace_back(names[chain[i]], side + joints[indices[i]]);
 }
 
 }  // namespace
@@ -139,26 +121,25 @@ GuessedNames guess_joints(const std::vector<std::string>& names,
                           const std::vector<std::string>& parents) {
   const SkeletonNames skeleton = skeleton_of(names, parents);
   GuessedNames guessed;
-  for (const auto& [side, begin] : {std::pair(BodyWord::left, std::string("left_")),
-                                    std::pair(BodyWord::right, std::string("right_"))}) {
+  for (const auto& [side, begin] : {std::pair(BodyTerm::left, std::string("left_")),
+                                    std::pair(BodyTerm::right, std::string("right_"))}) {
     const std::string& prefix = begin;  // clang 14 cannot capture structured bindings in lambdas
-    const auto add = [&](std::optional<std::size_t> joint, const char* name) {
+    const auto add = [&](std::optional<int> joint, const char* name) {
       if (joint) guessed.emplace_back(names[*joint], prefix + name);
     };
-    add(first_of(skeleton, side, {}, &names_hip, &names_leg), "hip");
-    auto shoulder = first_of(skeleton, side, {}, &names_upper_arm, &names_shoulder);
-    auto elbow = first_of(skeleton, side, shoulder, &names_elbow, &names_forearm);
+    add(first_joint(skeleton, side, {}, &names_hip, &names_leg), "hip");
+    auto shoulder = first_joint(skeleton, side, {}, &names_upper_arm, &names_shoulder);
+    auto elbow = first_joint(skeleton, side, shoulder, &names_elbow, &names_forearm);
     const auto wrist =
-        first_of(skeleton, side, elbow ? elbow : shoulder, &names_wrist, &names_hand);
-    if (!elbow && wrist) elbow = skeleton.above(*wrist);
-    if (!shoulder && elbow) shoulder = skeleton.above(*elbow);
+        first_joint(skeleton, side, elbow ? elbow : shoulder, &names_wrist, &names_hand);
+    if (!elbow && wrist) elbow = skeleton.parent_of(*wrist);
+    if (!shoulder && elbow) shoulder = skeleton.parent_of(*elbow);
     if (elbow || wrist) add(shoulder, "shoulder");
     add(elbow, "elbow");
     add(wrist, "wrist");
     if (!wrist) continue;
-    for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+    for (int finger = 0; finger < std::ssize(kFingerNames); ++finger)
       add_finger(skeleton, names, prefix, *wrist, finger, guessed);
-    }
   }
   return guessed;
 }

@@ -11,17 +11,16 @@ namespace morphe::imports {
 /// Recorded names, each with one of Morphe's (arm_names.hpp).
 using GuessedNames = std::vector<std::pair<std::string, std::string>>;
 
-/// Guesses the names of a skeleton's joints from the words in their names and from the hierarchy: a
-/// finger is the chain of joints below the wrist whose names contain its word, regardless of the
-/// numbers. `parents` contains names. Joints without a guess are left out.
+/// Guesses the names of a skeleton's joints from the words of their names and the hierarchy. A
+/// finger is the chain of joints below the wrist whose names contain its word. `parents` has the
+/// names of the joints' parents, which precede them, or "". Joints without a guess are left out.
 GuessedNames guess_joints(const std::vector<std::string>& names,
                           const std::vector<std::string>& parents);
 
-/// Guesses the names of points. If three or more have the name of an upper arm or forearm, or both
-/// sides of the elbow are present, they are markers (RUAR1, RLEP, …), otherwise joints. Names
-/// without a side are the recorded hand's. If two points would have the same name, the first in the
-/// order of the file is used. 21 points without words, numbered from 0, are a hand's in the order
-/// of keypoints.
+/// Guesses the names of points: markers (RUAR1, RLEP, …) if at least three are on one upper arm or
+/// forearm, or if both sides of an elbow are present, otherwise joints. A name without a side is
+/// that of `hand`, the recorded hand. Of several points on one landmark or joint the first is used.
+/// 21 points numbered from 0, whose names have no part of an arm, are the keypoints of `hand`.
 GuessedNames guess_points(const std::vector<std::string>& names, Side hand);
 
 }  // namespace morphe::imports

@@ -14,18 +14,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFolder = "configs/names";
 
-/// Returns the valid maps among the shipped files. Errors are ignored, since these files were not
-/// requested.
+/// Returns the maps in configs/names. Invalid files are ignored, since the user did not name them.
 std::vector<ShippedNameMap> shipped_maps() {
-  std::vector<fs::path> named;
+  std::vector<fs::path> file_names;
   std::error_code ignored;
   for (const fs::directory_entry& entry :
        fs::directory_iterator(files::resolve_data_file(kFolder), ignored)) {
-    if (entry.path().extension() == ".yaml") named.push_back(entry.path().filename());
+    if (entry.path().extension() == ".yaml") file_names.push_back(entry.path().filename());
   }
-  std::ranges::sort(named);
+  std::ranges::sort(file_names);
   std::vector<ShippedNameMap> maps;
-  for (const fs::path& name : named) {
+  for (const fs::path& name : file_names) {
     try {
       const fs::path file = kFolder / name;
       maps.push_back({file, read_names(files::resolve_data_file(file))});
@@ -48,20 +47,20 @@ NameMap read_names(const fs::path& file) {
 }
 
 std::optional<ShippedNameMap> find_shipped_names(const std::vector<std::string>& recorded) {
-  const std::set<std::string> there(recorded.begin(), recorded.end());
-  std::optional<ShippedNameMap> best;
+  const std::set<std::string> names(recorded.begin(), recorded.end());
+  std::optional<ShippedNameMap> largest;
   bool tied = false;
   for (ShippedNameMap& candidate : shipped_maps()) {
     const bool fits = std::ranges::all_of(
-        candidate.names, [&](const auto& entry) { return there.contains(entry.first); });
+        candidate.names, [&](const auto& entry) { return names.contains(entry.first); });
     if (!fits || candidate.names.empty()) continue;
-    const std::size_t size = best ? best->names.size() : 0;
+    const std::size_t size = largest ? largest->names.size() : 0;
     if (candidate.names.size() == size) tied = true;
     if (candidate.names.size() <= size) continue;
-    best = std::move(candidate);
+    largest = std::move(candidate);
     tied = false;
   }
-  return tied ? std::nullopt : best;
+  return tied ? std::nullopt : largest;
 }
 
 }  // namespace morphe::imports

@@ -8,7 +8,7 @@
 
 namespace morphe::imports {
 
-/// A map from recorded names to names used here.
+/// A map from recorded names to Morphe's.
 using NameMap = std::map<std::string, std::string>;
 
 /// Reads a YAML file with such a map; empty for "". Throws InputError if it is not a map of names.
@@ -20,8 +20,8 @@ struct ShippedNameMap {
   NameMap names;               ///< its contents
 };
 
-/// Returns the map of configs/names all of whose names were recorded; the largest if there are
-/// several. Returns no map if no map matches, or if the two largest are equal in size.
+/// Returns the largest of the maps in configs/names whose keys are all among the recorded names; no
+/// value if there is no such map or the two largest are equal in size.
 std::optional<ShippedNameMap> find_shipped_names(const std::vector<std::string>& recorded);
 
 }  // namespace morphe::imports

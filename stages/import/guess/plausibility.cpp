@@ -5,20 +5,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stages/import/guess/constants.hpp"
 #include "stages/import/recording/conventions.hpp"
 
 namespace morphe::imports {
 namespace {
 
-constexpr double kMaxDistance_m = 1000, kMaxAngle_rad = 6 * M_PI, kMaxDuration_s = 6 * 3600,
-                 kMaxTimeStep_s = 600;
-
 void check_points(const std::string& file, const Array2D<Vec3>& position) {
   for (const Vec3& point : position.values) {
-    if (!(point.cwiseAbs().maxCoeff() > kMaxDistance_m)) continue;
+    const double coordinate_m = point.cwiseAbs().maxCoeff();
+    if (!(coordinate_m > kMaxCoordinate_m)) continue;
     throw UnresolvedConvention(
         "unit", fmt::format("{}: unit: implausible: a point is {:.3g} m from the origin", file,
-                            point.cwiseAbs().maxCoeff()));
+                            coordinate_m));
   }
 }
 
@@ -30,17 +29,17 @@ void check_angles(const std::string& file, const JointRows& angles) {
 }
 
 void check_time(const std::string& file, const std::vector<double>& time) {
-  for (std::size_t i = 1; i < time.size(); ++i) {
-    if (time[i] - time[i - 1] > kMaxTimeStep_s) {
-      throw InputError(
-          fmt::format("{}: time: implausible: {:.6g} s between two rows, {:.6g} and {:.6g} s", file,
-                      time[i] - time[i - 1], time[i - 1], time[i]));
-    }
+  for (int i = 1; i < std::ssize(time); ++i) {
+    const double step_s = time[i] - time[i - 1];
+    if (!(step_s > kMaxTimeStep_s)) continue;
+    throw InputError(
+        fmt::format("{}: time: implausible: {:.6g} s between two rows, {:.6g} and {:.6g} s", file,
+                    step_s, time[i - 1], time[i]));
   }
 }
 
 void check_streams(const std::string& file, const Streams& streams) {
-  double begin_s = HUGE_VAL, end_s = -HUGE_VAL;
+  double begin_s = kInfinity, end_s = -kInfinity;
   const auto check = [&](const auto& stream) {
     if (!stream) return;
     check_time(file, stream->time);

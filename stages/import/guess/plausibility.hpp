@@ -6,9 +6,9 @@
 
 namespace morphe::imports {
 
-/// Throws InputError "FILE: unit: …" if a point is more than 1 km from the origin or an angle
-/// exceeds three turns, and "FILE: time: …" if the recording, over all its streams, takes more than
-/// 6 hours, or a step 10 minutes: these exceed any recording of a person's arm.
+/// Throws for values beyond any recording of a person's arm: UnresolvedConvention "unit" for a
+/// coordinate above 1 km, InputError "FILE: unit: …" for an angle above three turns, and "FILE:
+/// time: …" for a step above 10 minutes, or above 6 hours from the first to the last time.
 void check_plausibility(const std::string& file, const Demonstration& demonstration);
 
 }  // namespace morphe::imports

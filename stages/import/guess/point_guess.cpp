@@ -1,34 +1,23 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/motion/human_motion.hpp"
+#include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/name_guess.hpp"
-#include "stages/import/guess/recorded_words.hpp"
+#include "stages/import/guess/recorded_name.hpp"
 #include "stages/import/recording/arm_names.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// The part of an arm on which a point is, independent of the decision between joints and markers.
+/// The part of an arm on which a point is, before it is known whether it is a joint or a marker.
+// clang-format off
 enum class PointPart {
-  none,
-  girdle,
-  shoulder,
-  upper_arm,
-  elbow,
-  elbow_outer,
-  elbow_inner,
-  forearm,
-  wrist,
-  wrist_thumb,
-  wrist_little,
-  hand,
-  hip,
-  finger
+  none, girdle, shoulder, upper_arm, elbow, elbow_outer, elbow_inner, forearm,
+  wrist, wrist_thumb, wrist_little, hand, hip, finger
 };
+// clang-format on
 
 struct PointAssignment {
   PointPart part = PointPart::none;
@@ -36,14 +25,13 @@ struct PointAssignment {
   std::string finger_joint;  ///< "index_tip"
 };
 
-/// Returns a finger's joint by its word or number; a finger alone is its tip.
-std::string finger_joint_of(const RecordedWords& w, std::size_t which) {
-  using enum BodyWord;
-  const std::vector<std::string> joints = finger_joint_names(which);
-  const bool thumb_joints = which == kThumb;
+/// Returns the finger's joint that a term or the last number denotes, its tip without both; or "".
+std::string finger_joint_of(const RecordedName& w, std::size_t finger_index) {
+  using enum BodyTerm;
+  const std::vector<std::string> joints = finger_joint_names(finger_index);
+  const bool thumb_joints = finger_index == kThumb;
   if (w.has(tip)) return joints[3];
-  if (w.has(metacarpal)) return thumb_joints ? joints[0] : "";
-  if (w.has(cmc)) return thumb_joints ? joints[0] : "";
+  if (w.has(metacarpal) || w.has(cmc)) return thumb_joints ? joints[0] : "";
   if (w.has(mcp) || w.has(proximal)) return joints[thumb_joints ? 1 : 0];
   if (w.has(ip) || (thumb_joints && (w.has(distal) || w.has(dip)))) return joints[2];
   if (w.has(pip) || w.has(intermediate)) return thumb_joints ? "" : joints[1];
@@ -53,19 +41,19 @@ std::string finger_joint_of(const RecordedWords& w, std::size_t which) {
   return number >= 1 && number <= 4 ? joints[number - 1] : "";
 }
 
-PointAssignment classify_finger_point(const RecordedWords& w) {
-  using enum BodyWord;
-  for (std::size_t which = 0; which < kFingerCount; ++which) {
-    if (!w.has(kFingerWords[which])) continue;
-    const std::string joint = finger_joint_of(w, which);
+PointAssignment classify_finger_point(const RecordedName& w) {
+  using enum BodyTerm;
+  for (std::size_t i = 0; i < kFingerCount; ++i) {
+    if (!w.has(kFingerTerms[i])) continue;
+    const std::string joint = finger_joint_of(w, i);
     return joint.empty() ? PointAssignment{} : PointAssignment{PointPart::finger, false, joint};
   }
   return w.has(hand) && w.has(tip) ? PointAssignment{PointPart::finger, false, "middle_tip"}
                                    : PointAssignment{};
 }
 
-PointPart classify_arm_point(const RecordedWords& w) {
-  using enum BodyWord;
+PointPart classify_arm_point(const RecordedName& w) {
+  using enum BodyTerm;
   const bool thumb_side = w.has(radial) || w.has(lateral) || w.has(thumb);
   const bool little_side = w.has(ulnar) || w.has(medial) || w.has(little);
   if (w.has(wrist) || w.has(styloid)) {
@@ -86,46 +74,46 @@ PointPart classify_arm_point(const RecordedWords& w) {
   return w.has(hand) ? PointPart::hand : PointPart::none;
 }
 
-PointAssignment classify_point(const std::string& name, Side recorded) {
-  using enum BodyWord;
-  const RecordedWords w = parse_recorded_name(name);
+PointAssignment classify_point(const std::string& name, Side recorded_hand) {
+  using enum BodyTerm;
+  const RecordedName w = parse_recorded_name(name);
   const bool sided = w.has(left) || w.has(right);
-  for (const BodyWord elsewhere : {head, neck, trunk, pelvis, clavicle, knee, ankle, foot, toe}) {
+  for (const BodyTerm elsewhere : {head, neck, trunk, pelvis, clavicle, knee, ankle, foot, toe}) {
     if (w.has(elsewhere) && !w.has(hand)) return {};  // "back of the hand" is on an arm
   }
-  if (w.has_unknown_word && !sided && w.words.size() < 2) return {};  // for example "ring_stand"
-  PointAssignment placed{classify_arm_point(w), false, ""};
-  const bool side_of_wrist =
-      placed.part == PointPart::wrist_thumb || placed.part == PointPart::wrist_little;
-  if (placed.part == PointPart::none || (placed.part == PointPart::hand && !side_of_wrist)) {
+  if (w.has_unknown_word && !sided && w.terms.size() < 2) return {};  // for example "ring_stand"
+  PointAssignment assignment{classify_arm_point(w), false, ""};
+  if (assignment.part == PointPart::none || assignment.part == PointPart::hand) {
     const PointAssignment on_finger = classify_finger_point(w);
-    if (on_finger.part != PointPart::none) placed = on_finger;
+    if (on_finger.part != PointPart::none) assignment = on_finger;
   }
-  placed.left = sided ? w.has(left) : recorded == Side::left;
-  return placed;
+  assignment.left = sided ? w.has(left) : recorded_hand == Side::left;
+  return assignment;
 }
 
-using NamesByPart = std::map<PointPart, std::vector<std::string>>;
+/// The recorded names of one side, in the order of the file.
+struct NamesOfSide {
+  std::map<PointPart, std::vector<std::string>> by_part;
+  std::map<std::string, std::string> by_finger_joint;
 
-/// Adds the markers of one side. Clusters are numbered in the order of the file.
-void add_markers(const NamesByPart& points, const std::map<std::string, std::string>& fingers,
-                 char side, GuessedNames& guessed) {
+  std::size_t count(PointPart part) const {
+    const auto names = by_part.find(part);
+    return names == by_part.end() ? 0 : names->second.size();
+  }
+};
+
+/// Adds the markers of one side, 'R' or 'L'. Those of a cluster are numbered in the file's order.
+void add_markers(const NamesOfSide& points, char side, GuessedNames& guessed) {
   const auto cluster = [&](PointPart part, const char* name) {
-    const auto found = points.find(part);
-    if (found == points.end()) return;
-    for (std::size_t n = 0; n < found->second.size(); ++n) {
-      guessed.emplace_back(found->second[n], fmt::format("{}{}{}", side, name, n + 1));
-    }
+    for (std::size_t n = 0; n < points.count(part); ++n)
+      guessed.emplace_back(points.by_part.at(part)[n], fmt::format("{}{}{}", side, name, n + 1));
   };
   const auto landmark = [&](PointPart part, const char* name) {
-    const auto found = points.find(part);
-    if (found == points.end()) return;
-    guessed.emplace_back(found->second.front(), fmt::format("{}{}", side, name));
+    if (points.count(part) == 0) return;
+    guessed.emplace_back(points.by_part.at(part).front(), fmt::format("{}{}", side, name));
   };
-  constexpr std::size_t kMinClusterMarkers = 3;
-  const auto shoulders = points.find(PointPart::shoulder);
-  const bool many = shoulders != points.end() && shoulders->second.size() >= kMinClusterMarkers;
-  if (many && !points.contains(PointPart::girdle)) {
+  if (points.count(PointPart::shoulder) >= kMinClusterMarkers &&
+      points.count(PointPart::girdle) == 0) {
     cluster(PointPart::shoulder, "SHO");
   } else {
     cluster(PointPart::girdle, "SHO");
@@ -134,94 +122,87 @@ void add_markers(const NamesByPart& points, const std::map<std::string, std::str
   cluster(PointPart::upper_arm, "UAR");
   cluster(PointPart::forearm, "LAR");
   cluster(PointPart::hand, "HAN");
-  landmark(points.contains(PointPart::elbow_outer) ? PointPart::elbow_outer : PointPart::elbow,
+  landmark(points.count(PointPart::elbow_outer) > 0 ? PointPart::elbow_outer : PointPart::elbow,
            "LEP");
   landmark(PointPart::elbow_inner, "MEP");
-  landmark(points.contains(PointPart::wrist_thumb) ? PointPart::wrist_thumb : PointPart::wrist,
+  landmark(points.count(PointPart::wrist_thumb) > 0 ? PointPart::wrist_thumb : PointPart::wrist,
            "SPR");
   landmark(PointPart::wrist_little, "SPU");
   for (const auto& [joint, name] : {std::pair("thumb_tip", "THUM"), std::pair("index_tip", "FTP"),
                                     std::pair("index_mcp", "FB")}) {
-    const auto found = fingers.find(joint);
-    if (found != fingers.end())
-      guessed.emplace_back(found->second, fmt::format("{}{}", side, name));
+    const auto recorded = points.by_finger_joint.find(joint);
+    if (recorded != points.by_finger_joint.end())
+      guessed.emplace_back(recorded->second, fmt::format("{}{}", side, name));
   }
 }
 
-/// Adds the joints of one side. A marker beside a joint is used if there is no better point.
-void add_joints(const NamesByPart& points, const std::map<std::string, std::string>& fingers,
-                const std::string& side, GuessedNames& guessed) {
-  const auto joint = [&](const char* name, std::initializer_list<PointPart> parts) {
+/// Adds the joints of one side, "right_" or "left_", at the first of the listed parts with points.
+void add_joints(const NamesOfSide& points, const std::string& side, GuessedNames& guessed) {
+  const auto add_first = [&](const char* name, std::initializer_list<PointPart> parts) {
     for (const PointPart part : parts) {
-      const auto found = points.find(part);
-      if (found == points.end()) continue;
-      guessed.emplace_back(found->second.front(), side + name);
+      if (points.count(part) == 0) continue;
+      guessed.emplace_back(points.by_part.at(part).front(), side + name);
       return;
     }
   };
   using enum PointPart;
-  joint("shoulder", {shoulder, upper_arm});
-  joint("elbow", {elbow, forearm, elbow_outer});
-  joint("wrist", {wrist, hand, wrist_thumb, wrist_little});
-  joint("hip", {hip});
-  for (const auto& [name, recorded] : fingers) guessed.emplace_back(recorded, side + name);
+  add_first("shoulder", {shoulder, upper_arm});
+  add_first("elbow", {elbow, forearm, elbow_outer});
+  add_first("wrist", {wrist, hand, wrist_thumb, wrist_little});
+  add_first("hip", {hip});
+  for (const auto& [name, recorded] : points.by_finger_joint)
+    guessed.emplace_back(recorded, side + name);
 }
 
-/// Returns the names of 21 points that are only numbered, from 0: a hand in the most common order.
+/// Returns the names of 21 points that are numbered from 0 as a hand's keypoints; otherwise empty.
 GuessedNames numbered_hand(const std::vector<std::string>& names, Side hand) {
-  constexpr std::size_t kHandPointCount = 21;
   std::vector<std::string> parts = {"wrist"};
   for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
     for (const std::string& joint : finger_joint_names(finger)) parts.push_back(joint);
   }
   std::map<int, std::string> by_number;
   for (const std::string& name : names) {
-    const RecordedWords words = parse_recorded_name(name);
-    if (words.numbers.size() == 1) by_number.emplace(words.numbers[0], name);
+    const RecordedName parsed = parse_recorded_name(name);
+    if (parsed.numbers.size() == 1) by_number.emplace(parsed.numbers[0], name);
   }
-  const bool whole = names.size() == kHandPointCount && by_number.size() == kHandPointCount &&
-                     by_number.begin()->first == 0 &&
-                     by_number.rbegin()->first == kHandPointCount - 1;
+  if (names.size() != kHandPointCount || by_number.size() != kHandPointCount ||
+      by_number.begin()->first != 0 || by_number.rbegin()->first != kHandPointCount - 1) {
+    return {};
+  }
   GuessedNames guessed;
-  for (std::size_t k = 0; whole && k < kHandPointCount; ++k) {
-    guessed.emplace_back(by_number[static_cast<int>(k)],
-                         fmt::format("{}_{}", name_of(hand), parts[k]));
-  }
+  for (const auto& [number, name] : by_number)
+    guessed.emplace_back(name, fmt::format("{}_{}", name_of(hand), parts[number]));
   return guessed;
 }
 
 }  // namespace
 
 GuessedNames guess_points(const std::vector<std::string>& names, Side hand) {
-  NamesByPart points[2];
-  std::map<std::string, std::string> fingers[2];
+  NamesOfSide points[2];  // right, left
+  bool any_assigned = false;
   for (const std::string& name : names) {
-    const PointAssignment placed = classify_point(name, hand);
-    if (placed.part == PointPart::finger) {
-      fingers[placed.left].emplace(placed.finger_joint, name);
-    } else if (placed.part != PointPart::none) {
-      points[placed.left][placed.part].push_back(name);
+    const PointAssignment assignment = classify_point(name, hand);
+    NamesOfSide& side = points[assignment.left];
+    any_assigned = any_assigned || assignment.part != PointPart::none;
+    if (assignment.part == PointPart::finger) {
+      side.by_finger_joint.emplace(assignment.finger_joint, name);
+    } else if (assignment.part != PointPart::none) {
+      side.by_part[assignment.part].push_back(name);
     }
   }
-  constexpr std::size_t kMinClusterMarkers = 3;
+  if (!any_assigned) return numbered_hand(names, hand);
   const auto has = [&](PointPart part, std::size_t count) {
-    return std::ranges::any_of(points, [&](const NamesByPart& side) {
-      const auto found = side.find(part);
-      return found != side.end() && found->second.size() >= count;
-    });
+    return points[0].count(part) >= count || points[1].count(part) >= count;
   };
   const bool markers = has(PointPart::upper_arm, kMinClusterMarkers) ||
                        has(PointPart::forearm, kMinClusterMarkers) ||
                        (has(PointPart::elbow_outer, 1) && has(PointPart::elbow_inner, 1));
   GuessedNames guessed;
-  if (points[0].empty() && points[1].empty() && fingers[0].empty() && fingers[1].empty()) {
-    return numbered_hand(names, hand);
-  }
   for (const bool left : {false, true}) {
     if (markers) {
-      add_markers(points[left], fingers[left], left ? 'L' : 'R', guessed);
+      add_markers(points[left], left ? 'L' : 'R', guessed);
     } else {
-      add_joints(points[left], fingers[left], left ? "left_" : "right_", guessed);
+      add_joints(points[left], left ? "left_" : "right_", guessed);
     }
   }
   return guessed;

@@ -11,23 +11,24 @@ namespace morphe::imports {
 /// The points of a recording, from any of its streams.
 struct RecordedPoints {
   std::vector<std::string> names;  ///< [K] recorded names
-  /// Part of each point by the words in its name: body_part, or "head", "pelvis", "right toe", …;
-  /// "" if unknown.
+  /// [K] parts of the body by the words in the names: body_part(), "head", "right toe", … or "".
   std::vector<std::string> parts;
-  std::vector<std::string> parents;  ///< for a skeleton, otherwise empty
+  std::vector<std::string> parents;  ///< [K] names, "" for markers; empty without a skeleton
   std::vector<double> time;          ///< [N] [s]
   Array2D<Vec3> position;            ///< [N, K]
 };
 
-/// Returns the markers, followed by the joints of a skeleton; otherwise sensors or the points of a
-/// hand. It has no names if there are no points.
+/// Returns the markers and, if its times are the same, the joints of the skeleton; without them,
+/// the sensors with a hand's fingertips, or the points of a hand. `hand` is their side.
 RecordedPoints recorded_points(const Streams& streams, Side hand);
 
-/// Returns in each frame the mean of the points whose part has this prefix ("right elbow" includes
-/// both epicondyles); unseen if no such point was seen.
-std::vector<Vec3> mean_track(const RecordedPoints& points, std::string_view part);
+/// Returns in each frame the mean of the seen points whose part has this prefix ("right elbow"
+/// includes both epicondyles), or an unseen point.
+std::vector<Vec3> mean_track(const RecordedPoints& points, std::string_view part_prefix);
 
-/// Returns the mean of the seen points; unseen if there are no seen points.
-Vec3 mean_of(const std::vector<Vec3>& track);
+/// Returns the mean of the seen points; unseen if there are none.
+Vec3 mean_of(const std::vector<Vec3>& points);
+/// Returns the sum of (p - mean) (p - mean)ᵀ over the seen points p.
+Eigen::Matrix3d scatter_of(const std::vector<Vec3>& points);
 
 }  // namespace morphe::imports

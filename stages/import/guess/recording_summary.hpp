@@ -12,26 +12,25 @@ namespace morphe::imports {
 struct PointSummary {
   std::string name;
   double seen_share = 0;  ///< share of the frames in which it was seen
-  /// Extent and centre of its bounding box, in the unit of the points; NaN if it was never seen.
-  Vec3 extent, centre;
-  std::string body_part;  ///< part of the body, or ""
+  Vec3 extent, centre;    ///< of its bounding box, in the unit of the points; NaN if never seen
+  std::string body_part;  ///< or ""
 };
 
 /// The contents of a recording, for inspection by the user.
 struct RecordingSummary {
-  std::string file;                    ///< name of the file
-  std::vector<PointSummary> points;    ///< summaries of all points
+  std::string file;
+  std::vector<PointSummary> points;
   std::string unit;                    ///< unit of extent and centre: "m", or "" for the file's own
   std::size_t rows = 0;                ///< number of frames
   double rate_hz = 0, duration_s = 0;  ///< from its times; 0 if unknown
 };
 
-/// Summarises the points. `renamed` maps their names to Morphe's, which determine their body parts.
+/// Summarises the points; file and unit stay empty. `renamed` maps recorded names to Morphe's.
 RecordingSummary summarise_points(const RecordedPoints& points,
                                   const std::map<std::string, std::string>& renamed = {});
 
-/// Returns a line for each point with a body part, or for all if there are few; the others are
-/// listed by name.
-std::string summary_text(const RecordingSummary& survey);
+/// Returns a table with a line for each point or, of more than 40 points, for each one with a body
+/// part, and the names of up to 40 others; "" without points.
+std::string summary_text(const RecordingSummary& summary);
 
 }  // namespace morphe::imports

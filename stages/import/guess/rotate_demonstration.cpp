@@ -6,9 +6,9 @@ namespace morphe::imports {
 namespace {
 
 struct DemonstrationRotation {
-  Quat by;
-  void operator()(Vec3& point) const { point = by * point; }
-  void operator()(Quat& rotation) const { rotation = by * rotation; }
+  Quat rotation;
+  void operator()(Vec3& point) const { point = rotation * point; }
+  void operator()(Quat& orientation) const { orientation = rotation * orientation; }
   template <class Values>
   void all(Values& values) const {
     for (auto& value : values) (*this)(value);
@@ -18,23 +18,24 @@ struct DemonstrationRotation {
     all(stream->position.values);
     all(stream->orientation.values);
   }
-  void streams(Streams& of) const {
-    if (of.markers) all(of.markers->position.values);
-    bodies(of.sensors);
-    bodies(of.skeleton);
-    if (of.hand && of.hand->kind == HandKind::fingertips) all(of.hand->position.values);
+  void operator()(Streams& streams) const {
+    if (streams.markers) all(streams.markers->position.values);
+    bodies(streams.sensors);
+    bodies(streams.skeleton);
+    auto& hand = streams.hand;
+    if (hand && hand->kind == HandKind::fingertips) all(hand->position.values);
   }
 };
 
 }  // namespace
 
-void rotate_about_vertical(Demonstration& demonstration, double angle) {
-  const DemonstrationRotation turn{Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()))};
-  turn.streams(demonstration.streams);
-  turn.streams(demonstration.calibration);
+void rotate_about_vertical(Demonstration& demonstration, double angle_rad) {
+  const DemonstrationRotation rotate{Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ()))};
+  rotate(demonstration.streams);
+  rotate(demonstration.calibration);
   for (SceneObject& object : demonstration.objects) {
-    turn.all(object.position);
-    turn.all(object.orientation);
+    rotate.all(object.position);
+    rotate.all(object.orientation);
   }
 }
 

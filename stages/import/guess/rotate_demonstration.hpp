@@ -4,9 +4,9 @@
 
 namespace morphe::imports {
 
-/// Rotates all positions and orientations of a demonstration in the world about the vertical
-/// through its origin by an angle [rad]: streams, calibration, objects. Keypoints beside an arm,
-/// which are the shape of a hand, and meshes, which are in their object's frame, are unchanged.
-void rotate_about_vertical(Demonstration& demonstration, double angle);
+/// Rotates all positions and orientations in the world (streams, calibration, objects) about the
+/// vertical through its origin. Joint angles, keypoints, which are in the frame of the hand, and
+/// meshes, which are in the frames of their objects, are unchanged.
+void rotate_about_vertical(Demonstration& demonstration, double angle_rad);
 
 }  // namespace morphe::imports

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/math/statistics.hpp"
+#include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/convention_guess.hpp"
 
 namespace morphe::imports {
@@ -12,18 +12,18 @@ namespace {
 
 /// A length of the body in recorded units and its usual value [m].
 struct BodyLength {
-  const char* what;
+  const char* name;
   double recorded, usual_m;
 };
 
-/// Returns lengths between joint centres, with usual values of adults; if clusters replace joints,
-/// they are a third shorter or longer.
+/// Returns the lengths that were recorded, with the usual values of adults between joint centres.
+/// Clusters of markers in place of joint centres make a length up to a third shorter or longer.
 std::vector<BodyLength> body_lengths(const RecordedPoints& points) {
   std::vector<BodyLength> lengths;
-  const auto add = [&](const char* what, const std::string& from, const std::string& to,
+  const auto add = [&](const char* name, const std::string& from, const std::string& to,
                        double usual_m) {
     const double length = math::median_distance(mean_track(points, from), mean_track(points, to));
-    if (length > 0) lengths.push_back({what, length, usual_m});
+    if (length > 0) lengths.push_back({name, length, usual_m});
   };
   add("shoulders", "left shoulder", "right shoulder", 0.36);
   for (const std::string side : {"right ", "left "}) {
@@ -44,8 +44,8 @@ constexpr std::pair<const char*, double> kUnits[] = {
 double misfit(const std::vector<BodyLength>& lengths, double metres) {
   double sum = 0;
   for (const BodyLength& length : lengths) {
-    const double log = std::log(length.recorded * metres / length.usual_m);
-    sum += log * log;
+    const double log_ratio = std::log(length.recorded * metres / length.usual_m);
+    sum += log_ratio * log_ratio;
   }
   return std::sqrt(sum / static_cast<double>(lengths.size()));
 }
@@ -54,19 +54,17 @@ std::string length_text(double metres) {
   return metres < 0.995 ? fmt::format("{:.0f} mm", 1000 * metres) : fmt::format("{:.2f} m", metres);
 }
 
-/// Guesses the unit from the extent, if no body part is known: a person reaches over half a metre
-/// or a few.
 Guess guess_unit_from_extent(const RecordedPoints& points) {
   Eigen::AlignedBox3d box;
   for (const Vec3& point : points.position.values) {
     if (is_known(point)) box.extend(point);
   }
   if (box.isEmpty() || !(box.diagonal().norm() > 0)) return {};
-  const std::vector<BodyLength> extent = {{"extent", box.diagonal().norm(), 1.0}};
-  const auto best = std::ranges::min_element(
-      kUnits, kUnits + 3, {}, [&](const auto& unit) { return misfit(extent, unit.second); });
-  return {best->first, Confidence::guessed,
-          fmt::format("all points lie within {}", length_text(extent[0].recorded * best->second))};
+  const std::vector<BodyLength> extent = {{"extent", box.diagonal().norm(), kUsualExtent_m}};
+  const auto [unit, metres] = *std::ranges::min_element(  // of mm, cm and m
+      kUnits, kUnits + 3, {}, [&](const auto& known) { return misfit(extent, known.second); });
+  return {unit, Confidence::guessed,
+          fmt::format("all points lie within {}", length_text(extent[0].recorded * metres))};
 }
 
 }  // namespace
@@ -74,43 +72,41 @@ Guess guess_unit_from_extent(const RecordedPoints& points) {
 Guess guess_unit(const RecordedPoints& points) {
   const std::vector<BodyLength> lengths = body_lengths(points);
   if (lengths.empty()) return guess_unit_from_extent(points);
-  const auto best = std::ranges::min_element(
-      kUnits, {}, [&](const auto& unit) { return misfit(lengths, unit.second); });
-  constexpr double kUsualMisfit = 0.22, kPossibleMisfit = 0.45;  // logarithms: 25 and 57 %
-  const double off = misfit(lengths, best->second);
+  const auto [unit, unit_m] = *std::ranges::min_element(
+      kUnits, {}, [&](const auto& known) { return misfit(lengths, known.second); });
+  const double unit_misfit = misfit(lengths, unit_m);
   const BodyLength& first = lengths.front();
-  if (off < kPossibleMisfit) {
-    return {best->first, off < kUsualMisfit ? Confidence::sure : Confidence::likely,
-            fmt::format("{} {} long", first.what, length_text(first.recorded * best->second))};
+  if (unit_misfit < kLikelyMisfit) {
+    return {unit, unit_misfit < kSureMisfit ? Confidence::sure : Confidence::likely,
+            fmt::format("{} {} long", first.name, length_text(first.recorded * unit_m))};
   }
-  double logs = 0;
-  for (const BodyLength& length : lengths) logs += std::log(length.usual_m / length.recorded);
-  const double metres = std::exp(logs / static_cast<double>(lengths.size()));
+  double log_sum = 0;
+  for (const BodyLength& length : lengths) log_sum += std::log(length.usual_m / length.recorded);
+  const double metres = std::exp(log_sum / static_cast<double>(lengths.size()));
   return {fmt::format("{:.3g}", metres), Confidence::guessed,
           fmt::format("gives the body usual lengths ({} {}); mm, cm, m, in and ft do not",
-                      first.what, length_text(first.recorded * metres))};
+                      first.name, length_text(first.recorded * metres))};
 }
 
 Guess guess_rate(const RecordedPoints& points, double unit_m) {
-  std::vector<double> speeds;  // per frame
+  std::vector<double> steps_m;  // of the fastest point, from frame to frame
   for (std::size_t i = 1; i < points.position.rows; ++i) {
-    double fastest = 0;
+    double largest_step = 0;
     for (std::size_t k = 0; k < points.position.cols; ++k) {
       const double step = (points.position(i, k) - points.position(i - 1, k)).norm();
-      if (step > fastest) fastest = step;
+      if (step > largest_step) largest_step = step;
     }
-    speeds.push_back(fastest * unit_m);
+    steps_m.push_back(largest_step * unit_m);
   }
-  if (speeds.empty()) return {};
-  const auto at = speeds.begin() + (speeds.size() * 95 / 100);
-  std::ranges::nth_element(speeds, at);
-  constexpr double kUsualRates_hz[] = {30, 60, 100, 120, 200, 240}, kReachSpeed_m_s = 1;
-  const double rate = *std::ranges::min_element(kUsualRates_hz, {}, [&](double hz) {
-    return *at > 0 ? std::abs(std::log(*at * hz / kReachSpeed_m_s)) : hz;
+  if (steps_m.empty()) return {};
+  const auto fast_step_m = steps_m.begin() + (steps_m.size() * kFastPercentile / 100);
+  std::ranges::nth_element(steps_m, fast_step_m);
+  const double rate_hz = *std::ranges::min_element(kUsualRates_hz, {}, [&](double hz) {
+    return *fast_step_m > 0 ? std::abs(std::log(*fast_step_m * hz / kReachSpeed_m_s)) : hz;
   });
-  return {fmt::format("{:.0f}", rate), Confidence::guessed,
+  return {fmt::format("{:.0f}", rate_hz), Confidence::guessed,
           fmt::format("the hand then moves at up to {:.1f} m/s; enter the frame rate of the camera",
-                      *at * rate)};
+                      *fast_step_m * rate_hz)};
 }
 
 }  // namespace morphe::imports

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/name_guess.hpp"
 #include "stages/import/guess/name_map.hpp"
 #include "stages/import/guess/plausibility.hpp"
@@ -15,21 +16,26 @@
 namespace morphe::imports {
 namespace {
 
-/// Sets a temporary value of a convention for inspection of a recording (not needed for
-/// joint_order.hpp).
-void set_placeholder(Conventions& conventions, const std::string& key) {
-  if (key == "axes") conventions.axes = "x y z";
-  if (key == "unit") conventions.unit = "1";
-  if (key == "rate") conventions.rate_hz = 1;
+void set_convention(Conventions& conventions, const std::string& key, const std::string& value) {
+  if (key == "axes") conventions.axes = value;
+  if (key == "unit") conventions.unit = value;
+  if (key == "rate") conventions.rate_hz = std::stod(value);
+  if (key == "joint_order") conventions.joint_order = value;
 }
 
-/// Reads the recording as it is in the file, with temporary values of missing conventions; `open`
-/// is treated as missing.
+/// Sets a convention to a value with which a recording can be inspected in its own coordinates. A
+/// joint order need not be set: without plausibility checks the likeliest one is used.
+void set_placeholder(Conventions& conventions, const std::string& key) {
+  if (key != "joint_order") set_convention(conventions, key, key == "axes" ? "x y z" : "1");
+}
+
+/// Reads the recording without plausibility checks, with placeholders for `key`, unless it is "",
+/// and for the conventions that are missing.
 Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,
-                             const std::string& open) {
-  std::set<std::string> replaced = {open};
+                             const std::string& key) {
+  std::set<std::string> replaced = {key};
   files.conventions.plausibility_checks = false;
-  set_placeholder(files.conventions, open);
+  set_placeholder(files.conventions, key);
   while (true) {
     try {
       return format.read(files);
@@ -59,7 +65,7 @@ bool has_names(const Demonstration& demonstration) {
   return demonstration.streams.markers || demonstration.streams.skeleton;
 }
 
-/// Returns the names that are already Morphe's.
+/// Returns the names that are already Morphe's, each mapped to itself.
 GuessedNames recognised_names(const std::vector<std::string>& names) {
   GuessedNames known;
   for (const std::string& name : names) {
@@ -68,19 +74,19 @@ GuessedNames recognised_names(const std::vector<std::string>& names) {
   return known;
 }
 
-/// Returns true if an arm, or the shape of a hand, can be reconstructed from the names.
+/// Returns true if an arm, or the keypoints of a hand, can be reconstructed from the names.
 bool cover_an_arm(const GuessedNames& names) {
   const auto any = [&](std::initializer_list<const char*> parts) {
     return std::ranges::any_of(names, [&](const auto& entry) {
       const std::string part = body_part(entry.second);
       return std::ranges::any_of(
-          parts, [&](const char* wanted) { return part.find(wanted) != std::string::npos; });
+          parts, [&](const char* word) { return part.find(word) != std::string::npos; });
     });
   };
   const auto tips = std::ranges::count_if(
       names, [](const auto& entry) { return body_part(entry.second).ends_with(" tip"); });
-  const bool whole_hand = any({"wrist"}) && tips >= 5 && names.size() >= 21;
-  return whole_hand ||
+  const bool hand = any({"wrist"}) && tips >= 5 && names.size() >= kHandPointCount;
+  return hand ||
          (any({"shoulder", "upper arm"}) && any({"elbow", "forearm"}) && any({"wrist", "hand"}));
 }
 
@@ -121,86 +127,72 @@ Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& forma
           Confidence::guessed, "cannot be derived from the recording; enter the true value"};
 }
 
-void set_convention(Conventions& conventions, const std::string& key, const std::string& value) {
-  if (key == "axes") conventions.axes = value;
-  if (key == "unit") conventions.unit = value;
-  if (key == "rate") conventions.rate_hz = std::stod(value);
-  if (key == "joint_order") conventions.joint_order = value;
-}
-
-/// The proposed values, which are extended until the recording can be read or the same convention
-/// is missing again.
-struct ProposalDraft {
-  std::vector<std::string> lines;
-  Proposal proposal;
-};
-
+/// Proposes conventions until the recording can be read, and adds a line of the message for each.
+/// Throws UnresolvedConvention if the recording cannot be read with the proposed value of one.
 void propose_conventions(const RecordingFormat& format, RecordingFiles files,
-                         ProposalDraft& answers) {
-  std::set<std::string> answered;
-  std::optional<UnresolvedConvention> order;
+                         std::vector<std::string>& lines, Proposal& proposal) {
+  std::set<std::string> proposed;
+  std::optional<UnresolvedConvention> missing_order;
   while (true) {
     try {
       read_checked(format, files);
       return;
     } catch (const UnresolvedConvention& missing) {
-      if (missing.key == "joint_order") order = missing;
-      // The sizes of joints in the wrong order are meaningless, so the order is reported first.
-      if (!answered.insert(missing.key).second) throw order.value_or(missing);
-      answers.lines.emplace_back(missing.what());
+      if (missing.key == "joint_order") missing_order = missing;
+      // A hand with its joints in the wrong order has no plausible unit: report the order instead.
+      if (!proposed.insert(missing.key).second) throw missing_order.value_or(missing);
+      lines.emplace_back(missing.what());
       Guess guess = guess_of(missing, format, files);
       set_convention(files.conventions, missing.key, guess.value);
-      answers.proposal.conventions.emplace_back(missing.key, std::move(guess));
+      proposal.conventions.emplace_back(missing.key, std::move(guess));
     }
   }
 }
 
 [[noreturn]] void throw_unresolved(const RecordingFormat& format, const RecordingFiles& files,
                                    const std::string& manifest, const Demonstration& seen,
-                                   const GuessedNames& names, bool whole) {
+                                   const GuessedNames& names, bool readable) {
   RecordingFiles named = files;
-  ProposalDraft answers;
+  if (!names.empty()) named.name_map = NameMap(names.begin(), names.end());
+  std::vector<std::string> lines;
+  Proposal proposal{names, {}};
+  propose_conventions(format, named, lines, proposal);
   if (!names.empty()) {
-    named.name_map = NameMap(names.begin(), names.end());
-    answers.proposal.names = names;
-  }
-  propose_conventions(format, named, answers);
-  if (!names.empty()) {
-    answers.lines.push_back(
+    lines.push_back(
         fmt::format("{}: names: none of the recorded names is known; give --names or `names:`",
                     files.file.string()));
   }
-  UnresolvedImport question(fmt::format("{}", fmt::join(answers.lines, "\n")));
+  UnresolvedImport question(fmt::format("{}", fmt::join(lines, "\n")));
   question.file = files.file.string();
   question.manifest = manifest;
-  RecordingSummary survey =
+  RecordingSummary summary =
       summarise_points(recorded_points(seen.streams, files.hand), named.name_map);
-  survey.file = question.file;
-  survey.unit = "m";
-  for (const auto& [key, guess] : answers.proposal.conventions) {
-    if (key == "unit") survey.unit.clear();
-    if (key == "rate") survey.rate_hz = 0;
+  summary.file = question.file;
+  summary.unit = "m";
+  for (const auto& [key, guess] : proposal.conventions) {
+    if (key == "unit") summary.unit.clear();
+    if (key == "rate") summary.rate_hz = 0;
   }
-  question.summary = summary_text(survey);
+  question.summary = summary_text(summary);
   question.names_unresolved =
       has_names(seen) && files.name_map.empty() &&
       !cover_an_arm(merged_names(recognised_names(names_in(seen, files.hand)), names));
-  if (whole && answers.proposal.conventions.empty()) question.demonstration = seen;
-  question.proposal = std::move(answers.proposal);
+  if (readable && proposal.conventions.empty()) question.demonstration = seen;
+  question.proposal = std::move(proposal);
   throw question;
 }
 
 Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingFormat& format,
                                  RecordingFiles files, const std::string& manifest) {
-  const std::string said = fmt::format("names mapped by {}, whose names are all in the recording",
+  const std::string note = fmt::format("names mapped by {}, whose names are all in the recording",
                                        shipped.file.string());
   files.name_map = shipped.names;
   try {
     Demonstration demonstration = read_or_propose(format, files, manifest);
-    demonstration.import_notes.push_back(said);
+    demonstration.import_notes.push_back(note);
     return demonstration;
   } catch (UnresolvedImport& question) {
-    question.summary += said + "\n";
+    question.summary += note + "\n";
     throw;
   }
 }
@@ -210,22 +202,21 @@ Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingF
 Demonstration read_or_propose(const RecordingFormat& format, const RecordingFiles& files,
                               const std::string& manifest) {
   std::optional<Demonstration> read;
-  std::string open;
+  std::string missing_key;
   try {
     read = read_checked(format, files);
-    const bool told = !files.name_map.empty() || !has_names(*read);
-    if (told || cover_an_arm(recognised_names(names_in(*read, files.hand))))
+    const bool names_given = !files.name_map.empty() || !has_names(*read);
+    if (names_given || cover_an_arm(recognised_names(names_in(*read, files.hand))))
       return std::move(*read);
   } catch (const UnresolvedConvention& missing) {
-    open = missing.key;
+    missing_key = missing.key;
   }
-  const Demonstration seen = read ? *read : read_unchecked(format, files, open);
+  const Demonstration seen = read ? *read : read_unchecked(format, files, missing_key);
   const GuessedNames known = recognised_names(names_in(seen, files.hand));
   GuessedNames guessed;
   if (files.name_map.empty() && has_names(seen) && !cover_an_arm(known)) {
-    if (const auto shipped = find_shipped_names(names_in(seen, files.hand))) {
+    if (const auto shipped = find_shipped_names(names_in(seen, files.hand)))
       return read_with_name_map(*shipped, format, files, manifest);
-    }
     guessed = guess_names(seen, known, files.hand);
   }
   if (read && !cover_an_arm(merged_names(known, guessed))) return std::move(*read);

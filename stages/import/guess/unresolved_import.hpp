@@ -12,7 +12,7 @@ namespace morphe::imports {
 
 /// Values that make a recording readable, computed from its data.
 struct Proposal {
-  /// Recorded names with ours; empty to keep them.
+  /// Pairs of a recorded name and Morphe's; empty if the recorded names are kept.
   std::vector<std::pair<std::string, std::string>> names;
   std::vector<std::pair<std::string, Guess>> conventions;  ///< by key: "axes", "unit", …
 };
@@ -20,20 +20,19 @@ struct Proposal {
 /// An error for all missing data of a recording at once; its message has a line for each of them.
 struct UnresolvedImport : InputError {
   UnresolvedImport(const std::string& message) : InputError(message) {}
-  std::string file;      ///< file of the recording
+  std::string file;      ///< the recording
   std::string manifest;  ///< manifest that lists the recording; "" if given directly
   std::string summary;   ///< lines with the contents of the file and their interpretation
-  Proposal proposal;     ///< tested: the recording can be read with it
-  /// The recording read so far, if only names are missing.
-  std::optional<Demonstration> demonstration;
-  /// True if all names are unknown, and no names of an arm could be proposed.
+  Proposal proposal;     ///< the recording was read with it as a test
+  std::optional<Demonstration> demonstration;  ///< the recording, if only names are missing
+  /// True if there is no name map, and neither the recorded nor the proposed names are an arm's.
   bool names_unresolved = false;
 };
 
-/// Reads one recording. If its names are neither Morphe's nor mapped, a matching shipped name map
-/// is used and reported. Throws UnresolvedImport for axes, unit, rate and names that are missing or
-/// implausible; names are requested if those of an arm can be proposed. Throws InputError for all
-/// other errors.
+/// Reads one recording, which `manifest` ("" if none) lists. If its names are neither mapped nor an
+/// arm's, a shipped name map that matches is used and reported. Throws UnresolvedImport for missing
+/// or implausible conventions, and for missing names of an arm if they can be proposed; InputError
+/// for all other errors.
 Demonstration read_or_propose(const RecordingFormat& format, const RecordingFiles& files,
                               const std::string& manifest);
 

@@ -6,8 +6,8 @@
 
 namespace morphe::imports {
 
-/// Replaces recorded names by those used here. Throws InputError "FILE: names: …" if a name of the
-/// map was not recorded, or two recorded names become one.
+/// Replaces each recorded name that is a key of `renamed` by its value. Throws InputError "FILE:
+/// names: …" if a key was not recorded, or if two of the resulting names are equal.
 void apply_name_map(const std::string& file, const std::map<std::string, std::string>& renamed,
                     std::vector<std::string>& names);
 

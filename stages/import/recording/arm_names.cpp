@@ -19,14 +19,14 @@ constexpr std::pair<const char*, const char*> kLandmarks[] = {
     {"FTP", "index tip"},    {"THUM", "thumb tip"}};
 constexpr const char* kJoints[] = {"shoulder", "elbow", "wrist", "hip"};
 
-/// Returns the part of the name after the side; "" unless the name is that of a side's joint.
+/// Returns the part of a joint's name after its side, such as "index_tip"; "" for any other name.
 std::string joint_part(const std::string& name) {
-  const std::size_t sign = name.find('_');
-  if (sign == std::string::npos) return "";
-  const std::string side = name.substr(0, sign), part = name.substr(sign + 1);
+  const std::size_t underscore = name.find('_');
+  if (underscore == std::string::npos) return "";
+  const std::string side = name.substr(0, underscore), part = name.substr(underscore + 1);
   if (!enum_from_name<Side>(side)) return "";
   if (std::ranges::find(kJoints, part) != std::end(kJoints)) return part;
-  for (std::size_t finger = 0; finger < kFingerCount; ++finger) {
+  for (int finger = 0; finger < std::ssize(kFingerNames); ++finger) {
     const std::vector<std::string> joints = finger_joint_names(finger);
     if (std::ranges::find(joints, part) != joints.end()) return part;
   }
@@ -39,9 +39,8 @@ std::vector<std::string> finger_joint_names(std::size_t finger) {
   static constexpr const char* kThumbJoints[] = {"cmc", "mcp", "ip", "tip"};
   static constexpr const char* kFingerJointNames[] = {"mcp", "pip", "dip", "tip"};
   std::vector<std::string> names;
-  for (const char* joint : finger == kThumb ? kThumbJoints : kFingerJointNames) {
+  for (const char* joint : finger == kThumb ? kThumbJoints : kFingerJointNames)
     names.push_back(fmt::format("{}_{}", kFingerNames[finger], joint));
-  }
   return names;
 }
 

@@ -6,41 +6,48 @@
 #include <set>
 
 namespace morphe::imports {
-namespace {
-
-constexpr std::string_view kSeparators = " _.:-/";
-
-}  // namespace
-
 std::string to_lower(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return result;
 }
 
-std::string trim(std::string_view text, std::string_view signs) {
-  const std::size_t first = text.find_first_not_of(signs);
+std::string trim(std::string_view text, std::string_view characters) {
+  const std::size_t first = text.find_first_not_of(characters);
   if (first == std::string_view::npos) return "";
-  return std::string(text.substr(first, text.find_last_not_of(signs) - first + 1));
+  return std::string(text.substr(first, text.find_last_not_of(characters) - first + 1));
 }
 
 namespace {
 
-constexpr std::string_view kLengths[] = {"mm", "cm", "m", "in", "inch", "meters", "millimeters"};
+constexpr std::string_view kSeparators = " _.:-/";
+constexpr std::string_view kLengthUnits[] = {"mm",   "cm",     "m",          "in",
+                                             "inch", "meters", "millimeters"};
 constexpr std::string_view kTimeUnits[] = {"s",    "sec",          "secs", "seconds", "ms",
                                            "msec", "milliseconds", "us",   "µs",      "ns"};
 
 bool is_unit(const std::string& word) {
-  return std::ranges::find(kLengths, word) != std::end(kLengths) ||
+  return std::ranges::find(kLengthUnits, word) != std::end(kLengthUnits) ||
          std::ranges::find(kTimeUnits, word) != std::end(kTimeUnits);
 }
 
 std::string usual_unit(const std::string& word) {
-  static const std::map<std::string, std::string> other = {
+  static const std::map<std::string, std::string> synonyms = {
       {"inch", "in"},   {"meters", "m"}, {"millimeters", "mm"},  {"sec", "s"}, {"secs", "s"},
       {"seconds", "s"}, {"msec", "ms"},  {"milliseconds", "ms"}, {"µs", "us"}};
-  const auto found = other.find(word);
-  return found == other.end() ? word : found->second;
+  const auto entry = synonyms.find(word);
+  return entry == synonyms.end() ? word : entry->second;
+}
+
+/// Returns 0 … 3 for the letters x, y, z, w, also followed by a number; -1 for any other word.
+int axis_of_word(const std::string& word) {
+  constexpr std::array<char, 4> kAxes = {'x', 'y', 'z', 'w'};
+  const std::string letter = to_lower(word);
+  if (letter.find_first_not_of("0123456789", 1) != std::string::npos) return -1;
+  for (int axis = 0; axis < std::ssize(kAxes); ++axis) {
+    if (letter.starts_with(kAxes[axis])) return axis;
+  }
+  return -1;
 }
 
 }  // namespace
@@ -57,46 +64,29 @@ ColumnLabel split_unit(std::string label) {
     label.erase(open, close - open + 1);
   }
   label = trim(label, kSeparators);
-  const std::size_t sign = label.find_last_of(kSeparators);
-  const std::string last = sign == std::string::npos ? "" : to_lower(label.substr(sign + 1));
-  if (result.unit.empty() && is_unit(last)) {
-    result.unit = usual_unit(last);
-    label.erase(sign);
+  const std::size_t end = label.find_last_of(kSeparators);
+  const std::string last_word = end == std::string::npos ? "" : to_lower(label.substr(end + 1));
+  if (result.unit.empty() && is_unit(last_word)) {
+    result.unit = usual_unit(last_word);
+    label.erase(end);
   }
   result.text = trim(label, kSeparators);
   return result;
 }
 
-namespace {
-
-int axis_of_word(const std::string& word) {
-  const std::string letter = to_lower(word);
-  const bool numbered =
-      !letter.empty() && letter.find_first_not_of("0123456789", 1) == std::string::npos;
-  const std::size_t which = numbered ? std::string("xyzw").find(letter[0]) : std::string::npos;
-  return which == std::string::npos ? -1 : static_cast<int>(which);
-}
-
-}  // namespace
-
 std::array<AxisReading, 3> readings_of(const std::string& label) {
   std::array<AxisReading, 3> readings;
-  const std::size_t last = label.find_last_of(kSeparators),
-                    first = label.find_first_of(kSeparators);
-  const auto number_of = [](const std::string& word) { return word.substr(1); };
-  if (last == std::string::npos) {
-    if (const int axis = axis_of_word(label); axis >= 0) {
-      readings[0] = {number_of(label).empty() ? "point" : number_of(label), axis};
-    }
-    if (label.size() > 1) {
-      readings[2] = {label.substr(0, label.size() - 1),
-                     axis_of_word(label.substr(label.size() - 1))};
-    }
+  if (label.size() > 1)
+    readings[2] = {label.substr(0, label.size() - 1), axis_of_word(label.substr(label.size() - 1))};
+  const std::size_t first = label.find_first_of(kSeparators);
+  if (first == std::string::npos) {
+    if (const int axis = axis_of_word(label); axis >= 0)
+      readings[0] = {label.size() > 1 ? label.substr(1) : "point", axis};
     return readings;
   }
+  const std::size_t last = label.find_last_of(kSeparators);
   readings[0] = {trim(label.substr(0, last), kSeparators), axis_of_word(label.substr(last + 1))};
   readings[1] = {trim(label.substr(first + 1), kSeparators), axis_of_word(label.substr(0, first))};
-  readings[2] = {label.substr(0, label.size() - 1), axis_of_word(label.substr(label.size() - 1))};
   return readings;
 }
 

@@ -8,21 +8,21 @@ namespace morphe::imports {
 
 /// The label of a column without its unit.
 struct ColumnLabel {
-  std::string text;  ///< label without the unit
+  std::string text;
   std::string unit;  ///< mm, cm, m, in; s, ms, us, ns; "" if absent
 };
 
-/// Removes "(mm)", "[mm]" or a final word that is a unit ("wrist_x_mm") from a label.
+/// Splits off "(mm)", "[mm]" or a final word that is a unit ("wrist_x_mm"), and outer separators.
 ColumnLabel split_unit(std::string label);
 
 /// An interpretation of a label as a point's name and an axis.
 struct AxisReading {
-  std::string name;  ///< name of the point
-  int axis = -1;     ///< 0 … 3: x, y, z, w; -1 if it cannot be interpreted in this way
+  std::string name;  ///< of the point
+  int axis = -1;     ///< 0 … 3: x, y, z, w; -1 if the label has no such reading
 };
 
-/// Returns the interpretations with the axis after the name, before it, or joined to it: "wrist_x",
-/// "x:wrist", "wristX".
+/// Returns the readings with the axis after the name, before it, or as its last character:
+/// "wrist_x", "x:wrist", "wristX". Without separators, "x1" is x of "1", and "x" x of "point".
 std::array<AxisReading, 3> readings_of(const std::string& label);
 
 /// Returns true if a name denotes a rotation, a velocity, a force or the like, not a point.
@@ -34,7 +34,7 @@ bool is_frame_label(const std::string& label);
 
 /// Returns the text in lower case.
 std::string to_lower(std::string_view text);
-/// Returns the text without the given signs at both ends.
-std::string trim(std::string_view text, std::string_view signs);
+/// Returns the text without the given characters at both ends.
+std::string trim(std::string_view text, std::string_view characters);
 
 }  // namespace morphe::imports

@@ -14,7 +14,7 @@ namespace morphe::imports {
 Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& source) {
   Eigen::Matrix3d world_from_recorded = Eigen::Matrix3d::Zero();
   std::istringstream words(axes);
-  Eigen::Index row = 0;
+  int row = 0;
   for (std::string word; words >> word; ++row) {
     const bool negative = word[0] == '-';
     const std::string letter = word.substr(negative || word[0] == '+' ? 1 : 0);
@@ -39,15 +39,15 @@ Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& 
 }
 
 std::string axis_word(const Vec3& direction) {
-  Eigen::Index which = 0;
-  direction.cwiseAbs().maxCoeff(&which);
-  return fmt::format("{}{}", direction[which] < 0 ? "-" : "", "xyz"[which]);
+  Eigen::Index axis = 0;
+  direction.cwiseAbs().maxCoeff(&axis);
+  return fmt::format("{}{}", direction[axis] < 0 ? "-" : "", "xyz"[axis]);
 }
 
 double metres_per_unit(const std::string& unit, const std::string& source) {
   static const std::map<std::string, double> known = {
       {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}};
-  if (const auto found = known.find(unit); found != known.end()) return found->second;
+  if (const auto entry = known.find(unit); entry != known.end()) return entry->second;
   double metres = 0;
   const auto [end, error] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
   if (error != std::errc() || end != unit.data() + unit.size() || !(metres > 0) ||
@@ -67,9 +67,8 @@ double resolve_unit_m(const std::string& in_file, const Conventions& conventions
         "unit",
         fmt::format("{}: unit: not in the file; give --unit or `unit:`, such as mm", source));
   }
-  if (!in_file.empty() && unit != in_file) {
+  if (!in_file.empty() && unit != in_file)
     reports.push_back(fmt::format("unit {} in the file; the given {} is used", in_file, unit));
-  }
   return metres_per_unit(unit, source);
 }
 

@@ -17,18 +17,16 @@ void append_numbers(const JsonNode& place, const nlohmann::json& value,
     for (const nlohmann::json& entry : value) append_numbers(place, entry, numbers);
     return;
   }
-  if (!value.is_number() || !std::isfinite(value.get<double>())) {
+  if (!value.is_number() || !std::isfinite(value.get<double>()))
     place.fail("must contain only finite numbers");
-  }
   numbers.push_back(value.get<double>());
 }
 
 std::ifstream open(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::error_code error;
-  if (!stream || std::filesystem::is_directory(file, error)) {
+  if (!stream || std::filesystem::is_directory(file, error))
     throw InputError(fmt::format("{}: cannot be read", file.string()));
-  }
   return stream;
 }
 
@@ -56,9 +54,7 @@ double JsonNode::number() const { return numbers(1)[0]; }
 std::vector<double> JsonNode::numbers(std::size_t count) const {
   std::vector<double> all;
   append_numbers(*this, *value, all);
-  if (all.size() != count) {
-    fail(fmt::format("must have {} numbers, not {}", count, all.size()));
-  }
+  if (all.size() != count) fail(fmt::format("must have {} numbers, not {}", count, all.size()));
   return all;
 }
 
@@ -74,9 +70,9 @@ std::string JsonNode::text() const {
 
 Quat JsonNode::quaternion() const {
   const std::vector<double> q = numbers(4);
-  const Quat turn(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(turn.norm() - 1) < 0.01)) fail("is not a quaternion of unit length");
-  return turn.normalized();
+  const Quat rotation(q[0], q[1], q[2], q[3]);
+  if (!(std::abs(rotation.norm() - 1) < 0.01)) fail("is not a quaternion of unit length");
+  return rotation.normalized();
 }
 
 void each_json_line(const std::filesystem::path& file,

@@ -15,15 +15,15 @@ NamedColumns::NamedColumns(const files::CsvText& text, std::size_t header_line)
 }
 
 std::size_t NamedColumns::at(std::string_view name) const {
-  const auto found = at_.find(name);
-  if (found == at_.end()) csv.fail(line, name, "the column is missing");
-  return found->second;
+  const auto column = at_.find(name);
+  if (column == at_.end()) csv.fail(line, name, "the column is missing");
+  return column->second;
 }
 
-std::vector<std::size_t> NamedColumns::at(const std::vector<std::string>& wanted) const {
-  std::vector<std::size_t> columns;
-  for (const std::string& name : wanted) columns.push_back(at(name));
-  return columns;
+std::vector<std::size_t> NamedColumns::at(const std::vector<std::string>& columns) const {
+  std::vector<std::size_t> indices;
+  for (const std::string& name : columns) indices.push_back(at(name));
+  return indices;
 }
 
 std::vector<std::string_view> NamedColumns::cells(std::size_t row_line) const {

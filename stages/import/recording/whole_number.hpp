@@ -7,8 +7,7 @@
 
 namespace morphe::imports {
 
-/// Returns the integer in a cell, if it contains one: nanoseconds of a day do not fit into a
-/// double.
+/// Returns the integer in a cell, if it has one: nanoseconds since 1970 are inexact as doubles.
 inline std::optional<std::int64_t> whole_number(std::string_view cell) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);

@@ -12,9 +12,8 @@ std::string normalized_apple_name(std::string_view name) {
     if (c != '_') plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   }
   constexpr std::string_view kFinger = "finger";
-  if (const std::size_t at = plain.find(kFinger); at != std::string::npos) {
-    plain.erase(at, kFinger.size());
-  }
+  if (const std::size_t begin = plain.find(kFinger); begin != std::string::npos)
+    plain.erase(begin, kFinger.size());
   return plain;
 }
 
@@ -23,9 +22,8 @@ const std::array<std::string, kKeypointCount>& apple_joints() {
     std::array<std::string, kKeypointCount> all{"wrist"};
     std::size_t k = 1;
     for (const char* finger : kFingerNames) {
-      for (const char* joint : {"knuckle", "intermediatebase", "intermediatetip", "tip"}) {
+      for (const char* joint : {"knuckle", "intermediatebase", "intermediatetip", "tip"})
         all[k++] = std::string(finger) + joint;
-      }
     }
     return all;
   }();

@@ -10,6 +10,7 @@
 
 #include "core/motion/input_error.hpp"
 #include "stages/import/recording/named_columns.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/device_trajectory.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/readers.hpp"
@@ -17,11 +18,11 @@
 namespace morphe::imports {
 namespace {
 
-/// The columns of a side; points are x, y, z.
+/// The columns of a hand; each point has three, x, y and z.
 struct HandColumns {
   std::size_t confidence = 0;
   std::vector<std::vector<std::size_t>> landmarks;  ///< 21, or empty
-  std::vector<std::size_t> wrist;                   ///< used if there are no landmarks
+  std::vector<std::size_t> wrist;                   ///< empty if there are landmarks
 };
 
 struct AriaFile {
@@ -37,36 +38,34 @@ HandColumns hand_columns(const NamedColumns& columns, const std::string& side) {
   HandColumns hand;
   hand.confidence = columns.at(side + "_tracking_confidence");
   const KeypointOrder& order = *keypoint_order("aria");
-  if (columns.has(fmt::format("tx_{}_landmark_0_device", side))) {
-    for (std::size_t k = 0; k < order.joints; ++k) {
-      hand.landmarks.push_back(
-          columns.at(point_names(fmt::format("{}_landmark_{}_device", side, k))));
-    }
-  } else {
+  if (!columns.has(fmt::format("tx_{}_landmark_0_device", side))) {
     hand.wrist = columns.at(point_names(side + "_wrist_device"));
+    return hand;
+  }
+  for (std::size_t k = 0; k < order.joints; ++k) {
+    hand.landmarks.push_back(
+        columns.at(point_names(fmt::format("{}_landmark_{}_device", side, k))));
   }
   return hand;
 }
 
 void read_hand(const NamedColumns& columns, std::size_t line,
-               const std::vector<std::string_view>& row, const HandColumns& at, std::size_t i,
+               const std::vector<std::string_view>& row, const HandColumns& places, std::size_t i,
                RecordedHand& hand) {
-  const double confidence = columns.number(line, row, at.confidence);
+  const double confidence = columns.number(line, row, places.confidence);
   hand.confidence.push_back(confidence > 0 ? std::min(confidence, 1.0) : 0.0);
   const auto point = [&](const std::vector<std::size_t>& cells) {
     return Vec3(columns.number(line, row, cells[0]), columns.number(line, row, cells[1]),
                 columns.number(line, row, cells[2]));
   };
   if (!(confidence > 0)) return;
-  if (at.landmarks.empty()) {
-    hand.keypoints(i, 0) = point(at.wrist);
+  if (places.landmarks.empty()) {
+    hand.keypoints(i, 0) = point(places.wrist);
     return;
   }
   const KeypointOrder& order = *keypoint_order("aria");
-  for (std::size_t k = 0; k < kKeypointCount; ++k) {
-    if (order.joint[k] >= 0) {
-      hand.keypoints(i, k) = point(at.landmarks[order.joint[k]]);
-    }
+  for (int k = 0; k < kKeypointCount; ++k) {
+    if (order.joint[k] >= 0) hand.keypoints(i, k) = point(places.landmarks[order.joint[k]]);
   }
 }
 
@@ -90,19 +89,20 @@ AriaFile read_aria_file(const files::CsvText& csv) {
   return read;
 }
 
-/// Returns the world that contains most rows; no value if the trajectory contains none of them.
-std::optional<std::size_t> main_map(
-    const std::vector<std::optional<DeviceTrajectory::DevicePose>>& places) {
-  std::map<std::size_t, std::size_t> rows;
-  for (const auto& place : places) {
-    if (place) ++rows[place->map_index];
+/// The pose of the device in each row of the file; no value for rows outside of the trajectory.
+using DevicePoses = std::vector<std::optional<DeviceTrajectory::DevicePose>>;
+
+/// Returns the map with most rows; no value if all rows are outside of the trajectory.
+std::optional<int> main_map(const DevicePoses& poses) {
+  std::map<int, int> row_counts;
+  for (const auto& pose : poses) {
+    if (pose) ++row_counts[pose->map_index];
   }
-  const auto most =
-      std::ranges::max_element(rows, {}, [](const auto& entry) { return entry.second; });
-  return most == rows.end() ? std::nullopt : std::optional(most->first);
+  const auto main = std::ranges::max_element(row_counts, {}, &std::pair<const int, int>::second);
+  return main == row_counts.end() ? std::nullopt : std::optional(main->first);
 }
 
-/// Returns the axes of the trajectory's world: up is opposite to gravity.
+/// Returns the axes of the trajectory's world, which must have gravity along -Z or given axes.
 std::string trajectory_axes(const DeviceTrajectory& trajectory, const Conventions& conventions) {
   const Vec3 up = -trajectory.gravity.normalized();
   if (!(up.z() > 0.99) && conventions.axes.empty()) {
@@ -115,43 +115,36 @@ std::string trajectory_axes(const DeviceTrajectory& trajectory, const Convention
 }
 
 void transform_to_world(const DeviceTrajectory& trajectory, const RecordingFiles& files,
-                        const std::vector<std::optional<DeviceTrajectory::DevicePose>>& places,
-                        std::size_t world, HandClip& clip, std::vector<std::string>& reports) {
+                        const DevicePoses& poses, int map_index, HandClip& clip,
+                        std::vector<std::string>& reports) {
   const TrackerFrame frame =
       tracker_frame(files, trajectory_axes(trajectory, files.conventions), "m",
                     "Z is up (gravity); facing direction not in the file", reports);
   const std::size_t rows = clip.time.size();
-  BodyStream& body = clip.body;
-  body.names = {"head"};
-  body.position = Array2D<Vec3>(rows, 1, unknown_point());
-  body.orientation = Array2D<Quat>(rows, 1, unknown_rotation());
-  std::size_t nowhere = 0, elsewhere = 0;
+  clip.body = unseen_body({"head"}, rows);
+  int untracked = 0, in_other_map = 0;
   for (std::size_t i = 0; i < rows; ++i) {
-    const bool here = places[i] && places[i]->map_index == world;
-    if (!places[i]) ++nowhere;
-    if (places[i] && !here) ++elsewhere;
+    const bool usable = poses[i] && poses[i]->map_index == map_index;
+    if (!poses[i]) ++untracked;
+    if (poses[i] && !usable) ++in_other_map;
     for (auto& hand : clip.hands) {
-      for (std::size_t k = 0; k < kKeypointCount; ++k) {
+      for (int k = 0; k < kKeypointCount; ++k) {
         Vec3& point = hand->keypoints(i, k);
-        point = here ? frame.point(places[i]->world_from_device * point) : unknown_point();
+        point = usable ? frame.point(poses[i]->world_from_device * point) : unknown_point();
       }
     }
-    if (!here) continue;
-    const Pose head = frame.pose(places[i]->world_from_device);
-    body.position(i, 0) = head.translation();
-    body.orientation(i, 0) = Quat(head.linear());
+    if (usable) set_pose(frame.pose(poses[i]->world_from_device), i, 0, clip.body);
   }
-  reports.push_back(fmt::format("device trajectory from {}", trajectory.file));
-  if (nowhere > 0) {
-    reports.push_back(
-        fmt::format("{} of {} rows are outside of the device trajectory; treated as not visible",
-                    nowhere, rows));
+  add_note(reports, "device trajectory from {}", trajectory.file);
+  if (untracked > 0) {
+    add_note(reports, "{} of {} rows are outside of the device trajectory; treated as not visible",
+             untracked, rows);
   }
-  if (elsewhere > 0) {
-    reports.push_back(
-        fmt::format("the device changes its map (graph_uid): {} of {} rows are in "
-                    "another map than the longest section; treated as not visible",
-                    elsewhere, rows));
+  if (in_other_map > 0) {
+    add_note(reports,
+             "the device changes its map (graph_uid): {} of {} rows are in another map than the "
+             "longest section; treated as not visible",
+             in_other_map, rows);
   }
 }
 
@@ -169,32 +162,29 @@ Demonstration read_aria_csv(const RecordingFiles& files) {
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
-  if (read.landmarks) {
-    reports.push_back(
-        "Aria does not track the base of the thumb (CMC); thumb base and palm skipped");
-  } else {
-    reports.push_back("only wrists: this version of the file has no fingers");
-  }
+  reports.push_back(
+      read.landmarks
+          ? "Aria does not track the base of the thumb (CMC); thumb base and palm skipped"
+          : "only wrists: this version of the file has no fingers");
   const std::vector<double> device_time = read.clip.time;
   for (double& time_s : read.clip.time) time_s -= device_time.front();
-  reports.push_back(fmt::format("time 0 is {} s of the device clock", device_time.front()));
-  const std::filesystem::path beside = find_trajectory_file(files.file);
+  add_note(reports, "time 0 is {} s of the device clock", device_time.front());
+  const std::filesystem::path trajectory_file = find_trajectory_file(files.file);
   std::string why = "no closed_loop_trajectory.csv beside the file or in a folder slam/";
-  if (!beside.empty()) {
-    const DeviceTrajectory trajectory = read_device_trajectory(beside);
-    std::vector<std::optional<DeviceTrajectory::DevicePose>> places;
-    for (const double time_s : device_time) places.push_back(trajectory.at(time_s));
-    if (const auto world = main_map(places)) {
-      transform_to_world(trajectory, files, places, *world, read.clip, reports);
+  if (!trajectory_file.empty()) {
+    const DeviceTrajectory trajectory = read_device_trajectory(trajectory_file);
+    DevicePoses poses;
+    for (const double time_s : device_time) poses.push_back(trajectory.at(time_s));
+    if (const auto map_index = main_map(poses)) {
+      transform_to_world(trajectory, files, poses, *map_index, read.clip, reports);
       add_tracked_clip(std::move(read.clip), files, demonstration);
       return demonstration;
     }
     why = fmt::format("no row is within the time of {}", trajectory.file);
   }
-  if (!read.landmarks) {
-    throw InputError(
-        fmt::format("{}: {}: the positions of the wrists in the world are unknown", csv.file, why));
-  }
+  if (!read.landmarks)
+    throw InputError(csv.file + ": " + why +
+                     ": the positions of the wrists in the world are unknown");
   tracker_frame(files, "x y z", "m", "", reports);
   add_shape(std::move(read.clip), files, why, demonstration);
   return demonstration;

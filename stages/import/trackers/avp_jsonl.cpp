@@ -1,8 +1,6 @@
 // tracking.jsonl of the recorder for Apple Vision Pro: a line per frame with `timestamp` [s], the
 // head's matrix and the joints of both hands, each a 4 x 4 matrix column by column. The wrist is in
 // ARKit's world (Y up), the other joints in the wrist's frame. A hand that was not seen is missing.
-#include <fmt/format.h>
-
 #include <map>
 
 #include "stages/import/recording/json_lines.hpp"
@@ -18,17 +16,16 @@ struct AvpFrame {
   std::optional<Pose> head;
 };
 
-Pose pose_of(const JsonNode& place) {
-  const auto pose = pose_from_matrix(place.numbers(16), true);
-  if (!pose) place.fail("is not a rigid transform in column-major order");
+Pose pose_of(const JsonNode& node) {
+  const auto pose = pose_from_matrix(node.numbers(16), true);
+  if (!pose) node.fail("is not a rigid transform in column-major order");
   return *pose;
 }
 
 AvpFrame read_frame(const JsonNode& line) {
   AvpFrame frame;
-  if (line.has("headMatrix") && !line.at("headMatrix").value->is_null()) {
+  if (line.has("headMatrix") && !line.at("headMatrix").value->is_null())
     frame.head = pose_of(line.at("headMatrix"));
-  }
   for (const auto& [key, side] :
        {std::pair("rightHand", Side::right), std::pair("leftHand", Side::left)}) {
     if (!line.has(key) || line.at(key).value->is_null()) continue;
@@ -37,7 +34,7 @@ AvpFrame read_frame(const JsonNode& line) {
     for (const auto& [name, value] : hand.value->items()) {
       if (value.is_null()) continue;
       const JsonNode joint = hand.at(name);
-      frame.hands[static_cast<std::size_t>(side)][normalized_apple_name(name)] = pose_of(joint);
+      frame.hands[side_index(side)][normalized_apple_name(name)] = pose_of(joint);
     }
   }
   return frame;
@@ -48,7 +45,7 @@ void set_keypoints(const std::map<std::string, Pose>& joints, const TrackerFrame
   const auto wrist = joints.find("wrist");
   if (wrist == joints.end()) return;
   hand.keypoints(row, 0) = frame.point(wrist->second.translation());
-  for (std::size_t k = 1; k < kKeypointCount; ++k) {
+  for (int k = 1; k < kKeypointCount; ++k) {
     const auto joint = joints.find(apple_joints()[k]);
     if (joint == joints.end()) continue;
     hand.keypoints(row, k) = frame.point(wrist->second * joint->second.translation());
@@ -56,15 +53,9 @@ void set_keypoints(const std::map<std::string, Pose>& joints, const TrackerFrame
 }
 
 BodyStream head_of(const std::vector<AvpFrame>& frames, const TrackerFrame& frame) {
-  BodyStream body;
-  body.names = {"head"};
-  body.position = Array2D<Vec3>(frames.size(), 1, unknown_point());
-  body.orientation = Array2D<Quat>(frames.size(), 1, unknown_rotation());
+  BodyStream body = unseen_body({"head"}, frames.size());
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    if (!frames[i].head) continue;
-    const Pose head = frame.pose(*frames[i].head);
-    body.position(i, 0) = head.translation();
-    body.orientation(i, 0) = Quat(head.linear());
+    if (frames[i].head) set_pose(frame.pose(*frames[i].head), i, 0, body);
   }
   return body;
 }
@@ -90,13 +81,10 @@ Demonstration read_avp_jsonl(const RecordingFiles& files) {
     frames.push_back(read_frame(line));
     for (const auto& hand : frames.back().hands) forearm = forearm || hand.contains("forearmarm");
   });
-  for (const Side side : {Side::right, Side::left}) {
-    const auto which = static_cast<std::size_t>(side);
-    RecordedHand hand = unseen_hand(frames.size());
-    for (std::size_t i = 0; i < frames.size(); ++i) {
-      set_keypoints(frames[i].hands[which], frame, i, hand);
-    }
-    clip.hands[which] = std::move(hand);
+  for (int side = 0; side < 2; ++side) {
+    RecordedHand& hand = clip.hands[side].emplace(unseen_hand(frames.size()));
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      set_keypoints(frames[i].hands[side], frame, i, hand);
   }
   clip.body = head_of(frames, frame);
   if (forearm) reports.push_back("joints of the forearm skipped: only estimated by the device");

@@ -18,9 +18,9 @@
 namespace morphe::imports {
 namespace {
 
-constexpr std::size_t kMatrixValueCount = 16;
+constexpr int kMatrixValueCount = 16;
 
-/// The matrices of a frame's joints; without joints if the file does not have the key.
+/// The matrices of the joints in all frames; without joints if the file does not have the key.
 struct MatrixTable {
   const files::NpyArray* array = nullptr;
   std::size_t rows = 0, joints = 0;
@@ -30,18 +30,17 @@ MatrixTable matrices_in(const files::NpzFile& npz, const std::string& key) {
   MatrixTable table{npz.find(key), 0, 0};
   if (table.array == nullptr) return table;
   const std::vector<std::size_t>& shape = table.array->shape;
-  const bool one = shape.size() == 3, several = shape.size() == 4;
-  if (table.array->kind == files::NpyKind::text || !(one || several) ||
-      shape[shape.size() - 1] != 4 || shape[shape.size() - 2] != 4) {
+  const std::size_t rank = shape.size();
+  if (table.array->kind == files::NpyKind::text || !(rank == 3 || rank == 4) ||
+      shape[rank - 1] != 4 || shape[rank - 2] != 4) {
     npz.fail(key, fmt::format("must have 4 x 4 matrices, not {}", files::shape_text(shape)));
   }
   table.rows = shape[0];
-  table.joints = one ? 1 : shape[1];
+  table.joints = rank == 3 ? 1 : shape[1];
   return table;
 }
 
-/// Returns a pose, or no value before the first detection: NaN, all zero or the unit matrix. Throws
-/// InputError for a matrix that is not a rigid motion.
+/// Returns a joint's pose; no value for a matrix with a NaN or of zeros. Throws if it is not rigid.
 std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table, std::size_t row,
                             std::size_t joint) {
   const auto begin =
@@ -59,25 +58,25 @@ std::optional<Pose> pose_in(const files::NpzFile& npz, const MatrixTable& table,
   return pose;
 }
 
+/// Returns true for no value and for the identity, which stands for a hand not detected yet.
 bool is_unset_pose(const std::optional<Pose>& pose) {
   return !pose || pose->matrix().isApprox(Eigen::Matrix4d::Identity());
 }
 
-/// The arrays of a hand in the file.
-struct StreamKeys {
+struct HandMatrices {
   MatrixTable wrist, fingers;
 };
 
-RecordedHand read_hand(const files::NpzFile& npz, const StreamKeys& keys, std::size_t rows,
+RecordedHand read_hand(const files::NpzFile& npz, const HandMatrices& matrices, std::size_t rows,
                        const TrackerFrame& frame) {
   RecordedHand hand = unseen_hand(rows);
-  const KeypointOrder& order = *keypoint_order(keys.fingers.joints == 27 ? "arkit" : "webxr");
+  const KeypointOrder& order = *keypoint_order(matrices.fingers.joints == 27 ? "arkit" : "webxr");
   for (std::size_t i = 0; i < rows; ++i) {
-    const auto wrist = pose_in(npz, keys.wrist, i, 0);
+    const auto wrist = pose_in(npz, matrices.wrist, i, 0);
     if (is_unset_pose(wrist)) continue;
     hand.keypoints(i, 0) = frame.point(wrist->translation());
-    for (std::size_t k = 1; k < kKeypointCount && keys.fingers.joints > 0; ++k) {
-      const auto joint = pose_in(npz, keys.fingers, i, order.joint[k]);
+    for (int k = 1; k < kKeypointCount && matrices.fingers.joints > 0; ++k) {
+      const auto joint = pose_in(npz, matrices.fingers, i, order.joint[k]);
       if (joint) hand.keypoints(i, k) = frame.point(*wrist * joint->translation());
     }
   }
@@ -85,37 +84,31 @@ RecordedHand read_hand(const files::NpzFile& npz, const StreamKeys& keys, std::s
 }
 
 BodyStream read_head(const files::NpzFile& npz, std::size_t rows, const TrackerFrame& frame) {
-  BodyStream body;
   const MatrixTable table = matrices_in(npz, "stream_head");
-  if (table.rows != rows || table.joints != 1) return body;
-  body.names = {"head"};
-  body.position = Array2D<Vec3>(rows, 1, unknown_point());
-  body.orientation = Array2D<Quat>(rows, 1, unknown_rotation());
+  if (table.rows != rows || table.joints != 1) return {};
+  BodyStream body = unseen_body({"head"}, rows);
   for (std::size_t i = 0; i < rows; ++i) {
     const auto head = pose_in(npz, table, i, 0);
-    if (is_unset_pose(head)) continue;
-    const Pose pose = frame.pose(*head);
-    body.position(i, 0) = pose.translation();
-    body.orientation(i, 0) = Quat(pose.linear());
+    if (!is_unset_pose(head)) set_pose(frame.pose(*head), i, 0, body);
   }
   return body;
 }
 
-StreamKeys keys_of(const files::NpzFile& npz, Side side) {
+HandMatrices hand_matrices(const files::NpzFile& npz, Side side) {
   const std::string prefix = "stream_" + std::string(name_of(side));
-  StreamKeys keys{matrices_in(npz, prefix + "_wrist"), matrices_in(npz, prefix + "_fingers")};
-  if (keys.wrist.array == nullptr) return keys;
-  if (keys.wrist.joints != 1) npz.fail(prefix + "_wrist", "must have one matrix per frame");
-  if (keys.fingers.array == nullptr) npz.fail(prefix + "_fingers", "is missing");
-  if (keys.fingers.rows != keys.wrist.rows) {
+  HandMatrices hand{matrices_in(npz, prefix + "_wrist"), matrices_in(npz, prefix + "_fingers")};
+  if (hand.wrist.array == nullptr) return hand;
+  if (hand.wrist.joints != 1) npz.fail(prefix + "_wrist", "must have one matrix per frame");
+  if (hand.fingers.array == nullptr) npz.fail(prefix + "_fingers", "is missing");
+  if (hand.fingers.rows != hand.wrist.rows) {
     npz.fail(prefix + "_fingers", fmt::format("has {} frames, but {}_wrist has {}",
-                                              keys.fingers.rows, prefix, keys.wrist.rows));
+                                              hand.fingers.rows, prefix, hand.wrist.rows));
   }
-  if (keys.fingers.joints != 25 && keys.fingers.joints != 27) {
+  if (hand.fingers.joints != 25 && hand.fingers.joints != 27) {
     npz.fail(prefix + "_fingers",
-             fmt::format("must have 25 or 27 joints, not {}", keys.fingers.joints));
+             fmt::format("must have 25 or 27 joints, not {}", hand.fingers.joints));
   }
-  return keys;
+  return hand;
 }
 
 }  // namespace
@@ -135,18 +128,16 @@ Demonstration read_avp_npz(const RecordingFiles& files) {
       tracker_frame(files, "x y z", "m",
                     "Z is up, as written by avp_stream; facing direction not in the file", reports);
   const double rate_hz = resolve_rate_hz(0, files.conventions, files.file.string(), reports);
-  const StreamKeys keys[] = {keys_of(npz, Side::right), keys_of(npz, Side::left)};
-  const std::size_t rows = std::max(keys[0].wrist.rows, keys[1].wrist.rows);
+  const HandMatrices hands[] = {hand_matrices(npz, Side::right), hand_matrices(npz, Side::left)};
+  const std::size_t rows = std::max(hands[0].wrist.rows, hands[1].wrist.rows);
   if (rows == 0) npz.fail("stream_right_wrist", "neither this nor stream_left_wrist has frames");
   HandClip clip;
   for (std::size_t i = 0; i < rows; ++i) clip.time.push_back(static_cast<double>(i) / rate_hz);
-  for (const Side side : {Side::right, Side::left}) {
-    const auto which = static_cast<std::size_t>(side);
-    if (keys[which].wrist.array == nullptr) continue;
-    if (keys[which].wrist.rows != rows) {
-      npz.fail(keys[which].wrist.array->name, "has fewer frames than the other hand");
-    }
-    clip.hands[which] = read_hand(npz, keys[which], rows, frame);
+  for (int side = 0; side < 2; ++side) {
+    const MatrixTable& wrist = hands[side].wrist;
+    if (wrist.array == nullptr) continue;
+    if (wrist.rows != rows) npz.fail(wrist.array->name, "has fewer frames than the other hand");
+    clip.hands[side] = read_hand(npz, hands[side], rows, frame);
   }
   clip.body = read_head(npz, rows, frame);
   add_tracked_clip(std::move(clip), files, demonstration);

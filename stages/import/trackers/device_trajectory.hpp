@@ -11,28 +11,28 @@ namespace morphe::imports {
 
 /// The trajectory of a headset: Aria's closed_loop_trajectory.csv.
 struct DeviceTrajectory {
-  std::string file;                    ///< file name for messages
-  std::vector<double> time;            ///< [N] [s] on the device's clock
-  std::vector<Pose> pose;              ///< [N] world_from_device
-  std::vector<std::size_t> map_index;  ///< [N] index of the map; each map has its own world
-  Vec3 gravity = Vec3(0, 0, -9.81);    ///< in the world
+  std::string file;                  ///< file name for messages
+  std::vector<double> time;          ///< [N] [s] on the device's clock
+  std::vector<Pose> pose;            ///< [N] world_from_device
+  std::vector<int> map_index;        ///< [N]; each map has its own world
+  Vec3 gravity = Vec3(0, 0, -9.81);  ///< in the world of the first row's map [m/s²]
 
-  /// A pose between two rows at most 0.1 s apart, interpolated linearly and by slerp; it is held
-  /// for 10 ms before the first and after the last row of a world.
+  /// A pose and the map that it is given in.
   struct DevicePose {
     Pose world_from_device;
-    std::size_t map_index;
+    int map_index;
   };
-  /// Returns the pose at a time, no value outside of these intervals.
+  /// Returns the pose at a time: interpolated (slerp) between two rows of one map that are at most
+  /// 0.1 s apart; otherwise that of the row before or, failing that, after, at most 10 ms away.
   std::optional<DevicePose> at(double time_s) const;
 };
 
-/// Returns the trajectory that belongs to a file of hands: beside it, or in a folder slam/ or
-/// trajectory/ beside or above it. Empty if there is no such file.
+/// Returns the closed_loop_trajectory.csv that belongs to a file of hands: in the file's folder or
+/// the one above, or in slam/ or trajectory/ in either. Empty if there is no such file.
 std::filesystem::path find_trajectory_file(const std::filesystem::path& hands);
 
-/// Reads a trajectory. Rows that follow within 0.1 ms are dropped. Throws InputError for another
-/// kind of file and for decreasing times.
+/// Reads a trajectory, without rows less than 0.1 ms after the previous one of the same map. Throws
+/// InputError for missing columns, decreasing times and quaternions whose norm is not 1.
 DeviceTrajectory read_device_trajectory(const std::filesystem::path& file);
 
 }  // namespace morphe::imports

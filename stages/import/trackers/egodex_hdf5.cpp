@@ -9,6 +9,7 @@
 #include "core/store/hdf5_file.hpp"
 #include "core/store/sandbox_probe.hpp"
 #include "stages/import/recording/conventions.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/apple_hand.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/readers.hpp"
@@ -20,20 +21,15 @@ using store::Hdf5Group;
 
 constexpr double kEgodexRate_hz = 30;
 
-struct NamedJoint {
-  const char* in_file;
-  const char* here;
-};
-/// A joint of ARKit is at the proximal end of its bone: the arm's at the shoulder.
-constexpr NamedJoint kEgodexJoints[] = {{"hip", "pelvis"},
-                                        {"neck4", "neck"},
-                                        {"camera", "head"},
-                                        {"rightArm", "right_shoulder"},
-                                        {"rightForearm", "right_elbow"},
-                                        {"leftArm", "left_shoulder"},
-                                        {"leftForearm", "left_elbow"}};
+/// The joints of ARKit, each at the proximal end of its bone, and Morphe's names of them.
+constexpr std::pair<const char*, const char*> kEgodexJoints[] = {{"hip", "pelvis"},
+                                                                 {"neck4", "neck"},
+                                                                 {"camera", "head"},
+                                                                 {"rightArm", "right_shoulder"},
+                                                                 {"rightForearm", "right_elbow"},
+                                                                 {"leftArm", "left_shoulder"},
+                                                                 {"leftForearm", "left_elbow"}};
 
-/// The poses of a joint and their confidences.
 struct Track {
   std::vector<Pose> pose;
   std::vector<double> confidence;  ///< may be empty
@@ -41,11 +37,10 @@ struct Track {
   bool seen(std::size_t row) const { return confidence.empty() || confidence[row] > 0; }
 };
 
-/// The groups of a file, and the names in the file by their canonical forms.
 struct Episode {
   Hdf5Group transforms, confidences;
   bool has_confidences = false;
-  std::map<std::string, std::string> names;
+  std::map<std::string, std::string> names;  ///< names in the file, by normalized_apple_name()
   std::size_t rows = 0;
 };
 
@@ -54,9 +49,8 @@ Episode open_episode(const Hdf5Group& root) {
   episode.transforms = root.open("transforms");
   episode.has_confidences = root.has("confidences");
   if (episode.has_confidences) episode.confidences = root.open("confidences");
-  for (const std::string& name : episode.transforms.children()) {
+  for (const std::string& name : episode.transforms.children())
     episode.names[normalized_apple_name(name)] = name;
-  }
   for (const char* wrist : {"righthand", "lefthand"}) {
     const auto found = episode.names.find(wrist);
     if (found != episode.names.end()) episode.rows = episode.transforms.length(found->second);
@@ -65,10 +59,10 @@ Episode open_episode(const Hdf5Group& root) {
   return episode;
 }
 
-/// Reads the track of a joint, without rows if the file does not have it.
-Track read_track(const Episode& episode, const std::string& plain) {
+/// Reads the poses of a joint over all frames; empty if the file does not have the joint.
+Track read_track(const Episode& episode, const std::string& canonical_name) {
   Track track;
-  const auto found = episode.names.find(plain);
+  const auto found = episode.names.find(canonical_name);
   if (found == episode.names.end()) return track;
   const std::string& name = found->second;
   const auto matrices = episode.transforms.read<double>(name, {episode.rows, 4, 4});
@@ -80,14 +74,14 @@ Track read_track(const Episode& episode, const std::string& plain) {
   }
   if (episode.has_confidences && episode.confidences.has(name)) {
     track.confidence = episode.confidences.read<double>(name, {episode.rows}).values;
-    for (double& sure : track.confidence) sure = std::clamp(sure, 0.0, 1.0);
+    for (double& confidence : track.confidence) confidence = std::clamp(confidence, 0.0, 1.0);
   }
   return track;
 }
 
 RecordedHand read_hand(const Episode& episode, Side side, const TrackerFrame& frame) {
   RecordedHand hand = unseen_hand(episode.rows);
-  for (std::size_t k = 0; k < kKeypointCount; ++k) {
+  for (int k = 0; k < kKeypointCount; ++k) {
     const std::string joint = k == 0 ? "hand" : apple_joints()[k];
     const Track track = read_track(episode, std::string(name_of(side)) + joint);
     for (std::size_t i = 0; i < track.pose.size(); ++i) {
@@ -99,37 +93,31 @@ RecordedHand read_hand(const Episode& episode, Side side, const TrackerFrame& fr
 }
 
 BodyStream read_body(const Episode& episode, const TrackerFrame& frame) {
-  BodyStream body;
+  std::vector<std::string> names;
   std::vector<Track> tracks;
-  for (const NamedJoint& joint : kEgodexJoints) {
-    Track track = read_track(episode, normalized_apple_name(joint.in_file));
+  for (const auto& [in_file, name] : kEgodexJoints) {
+    Track track = read_track(episode, normalized_apple_name(in_file));
     if (track.pose.empty()) continue;
-    body.names.emplace_back(joint.here);
+    names.emplace_back(name);
     tracks.push_back(std::move(track));
   }
-  body.position = Array2D<Vec3>(episode.rows, tracks.size(), unknown_point());
-  body.orientation = Array2D<Quat>(episode.rows, tracks.size(), unknown_rotation());
-  if (episode.has_confidences)
-    body.confidence = Array2D<double>(episode.rows, tracks.size(), kUnknown);
+  BodyStream body = unseen_body(names, episode.rows);
+  if (episode.has_confidences) body.confidence = {episode.rows, tracks.size(), kUnknown};
   for (std::size_t k = 0; k < tracks.size(); ++k) {
     for (std::size_t i = 0; i < episode.rows; ++i) {
       if (!tracks[k].confidence.empty()) body.confidence(i, k) = tracks[k].confidence[i];
-      if (!tracks[k].seen(i)) continue;
-      const Pose pose = frame.pose(tracks[k].pose[i]);
-      body.position(i, k) = pose.translation();
-      body.orientation(i, k) = Quat(pose.linear());
+      if (tracks[k].seen(i)) set_pose(frame.pose(tracks[k].pose[i]), i, k, body);
     }
   }
   return body;
 }
 
-void report_words(const Hdf5Group& root, std::vector<std::string>& reports) {
+void report_descriptions(const Hdf5Group& root, std::vector<std::string>& reports) {
   for (const char* name : {"task", "object", "description", "llm_description", "session_name"}) {
     if (!root.has_attribute(name)) continue;
     const store::Hdf5Value value = root.value_of_attribute(name);
-    if (value.is_text && !value.texts.empty() && !value.texts[0].empty()) {
-      reports.push_back(fmt::format("{}: {}", name, value.texts[0]));
-    }
+    if (value.is_text && !value.texts.empty() && !value.texts[0].empty())
+      add_note(reports, "{}: {}", name, value.texts[0]);
   }
 }
 
@@ -152,16 +140,14 @@ Demonstration read_egodex_hdf5(const RecordingFiles& files) {
   const double rate_hz =
       resolve_rate_hz(kEgodexRate_hz, files.conventions, files.file.string(), reports);
   HandClip clip;
-  for (std::size_t i = 0; i < episode.rows; ++i) {
+  for (std::size_t i = 0; i < episode.rows; ++i)
     clip.time.push_back(static_cast<double>(i) / rate_hz);
-  }
-  for (const Side side : {Side::right, Side::left}) {
-    clip.hands[static_cast<std::size_t>(side)] = read_hand(episode, side, frame);
-  }
+  for (const Side side : {Side::right, Side::left})
+    clip.hands[side_index(side)] = read_hand(episode, side, frame);
   clip.body = read_body(episode, frame);
   file.expect_unchanged();
   reports.push_back("shoulders and elbows are estimated by the headset, mostly from the hands");
-  report_words(root, reports);
+  report_descriptions(root, reports);
   add_tracked_clip(std::move(clip), files, demonstration);
   return demonstration;
 }

@@ -1,15 +1,12 @@
 #include "stages/import/trackers/hand_clip.hpp"
 
-#include <algorithm>
 #include <iterator>
-#include <string>
 
 #include "stages/import/recording/arm_names.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// A column of a skeleton under construction.
 struct SkeletonJoint {
   std::string name;
   std::vector<Vec3> position;
@@ -23,18 +20,22 @@ void add_hand(RecordedHand&& hand, Side side, std::vector<SkeletonJoint>& joints
   for (std::size_t k = 0; k < kKeypointCount; ++k) {
     SkeletonJoint joint{names[k], {}, std::vector<Quat>(rows, unknown_rotation()), hand.confidence};
     for (std::size_t i = 0; i < rows; ++i) joint.position.push_back(hand.keypoints(i, k));
-    if (std::ranges::any_of(joint.position, [](const Vec3& point) { return is_known(point); }))
-      joints.push_back(std::move(joint));
+    if (any_known(joint.position)) joints.push_back(std::move(joint));
   }
-  if (std::ranges::any_of(hand.orientation, [](const Quat& turn) { return is_known(turn); })) {
-    SkeletonJoint turned{
-        std::string(name_of(side)) + "_hand", {}, hand.orientation, hand.confidence};
-    for (std::size_t i = 0; i < rows; ++i) turned.position.push_back(hand.keypoints(i, 0));
-    joints.push_back(std::move(turned));
-  }
+  if (!any_known(hand.orientation)) return;
+  SkeletonJoint joint{std::string(name_of(side)) + "_hand", {}, hand.orientation, hand.confidence};
+  for (std::size_t i = 0; i < rows; ++i) joint.position.push_back(hand.keypoints(i, 0));
+  joints.push_back(std::move(joint));
 }
 
 }  // namespace
+
+int name_index(const std::vector<std::string>& names, std::string_view name) {
+  for (int k = 0; k < std::ssize(names); ++k) {
+    if (names[k] == name) return k;
+  }
+  return -1;
+}
 
 std::vector<std::string> keypoint_names(Side side) {
   const std::string prefix = std::string(name_of(side)) + "_";
@@ -43,6 +44,19 @@ std::vector<std::string> keypoint_names(Side side) {
     for (const std::string& joint : finger_joint_names(finger)) names.push_back(prefix + joint);
   }
   return names;
+}
+
+BodyStream unseen_body(std::vector<std::string> names, std::size_t rows) {
+  BodyStream body;
+  body.position = Array2D<Vec3>(rows, names.size(), unknown_point());
+  body.orientation = Array2D<Quat>(rows, names.size(), unknown_rotation());
+  body.names = std::move(names);
+  return body;
+}
+
+void set_pose(const Pose& pose, std::size_t row, std::size_t joint, BodyStream& body) {
+  body.position(row, joint) = pose.translation();
+  body.orientation(row, joint) = Quat(pose.linear());
 }
 
 void add_clip(HandClip&& clip, Demonstration& demonstration) {
@@ -58,21 +72,19 @@ void add_clip(HandClip&& clip, Demonstration& demonstration) {
     joints.push_back(std::move(joint));
   }
   for (const Side side : {Side::right, Side::left}) {
-    auto& hand = clip.hands[static_cast<std::size_t>(side)];
+    auto& hand = clip.hands[side_index(side)];
     if (hand) add_hand(std::move(*hand), side, joints);
   }
-  BodyStream& skeleton = demonstration.streams.skeleton.emplace();
+  std::vector<std::string> names;
+  for (const SkeletonJoint& joint : joints) names.push_back(joint.name);
+  BodyStream& skeleton = demonstration.streams.skeleton.emplace(unseen_body(names, rows));
   skeleton.time = std::move(clip.time);
   skeleton.reconstructed = clip.reconstructed;
   skeleton.parents = std::move(clip.body.parents);
   skeleton.parents.resize(joints.size());
-  skeleton.position = Array2D<Vec3>(rows, joints.size(), unknown_point());
-  skeleton.orientation = Array2D<Quat>(rows, joints.size(), unknown_rotation());
-  if (std::ranges::any_of(joints, [](const auto& joint) { return !joint.confidence.empty(); })) {
+  if (std::ranges::any_of(joints, [](const auto& joint) { return !joint.confidence.empty(); }))
     skeleton.confidence = Array2D<double>(rows, joints.size(), kUnknown);
-  }
   for (std::size_t k = 0; k < joints.size(); ++k) {
-    skeleton.names.push_back(joints[k].name);
     for (std::size_t i = 0; i < rows; ++i) {
       skeleton.position(i, k) = joints[k].position[i];
       skeleton.orientation(i, k) = joints[k].orientation[i];

@@ -4,12 +4,11 @@
 
 namespace morphe::imports {
 
-/// Curl below which the fingers are nearly straight and do not determine the side [m].
-inline constexpr double kMinCurl_m = 0.010;
+inline constexpr double kMinCurl_m = 0.010;  ///< straighter fingers do not determine the side
 
-/// Returns the distance by which the fingers curl out of the back of a right hand: the mean over
-/// all frames of [N, 21] keypoints [m]. Below -kMinCurl_m it is a right hand, above kMinCurl_m a
-/// left one; NaN if not seen well enough.
+/// Returns the mean displacement of the fingertips, without the thumb's, from their knuckles over
+/// [N, 21] keypoints, along the normal out of the back of a right hand or the palm of a left one
+/// [m]; NaN if unknown. Below -kMinCurl_m it is a right hand, above kMinCurl_m a left one.
 double finger_curl_m(const Array2D<Vec3>& keypoints);
 
 }  // namespace morphe::imports

@@ -4,8 +4,8 @@
 // headset_trajectory.csv, metadata.json (the headset, which determines the up axis) and the
 // objects' meshes. Times are whole nanoseconds.
 //
-// The landmarks are computed: UmeTrack's wrist is the joint. MANO's is not (its `t_xyz` is the
-// model's position), and its model must not be redistributed, so that file is not read.
+// The landmarks are computed from the wrist's pose, which is at the wrist joint. In the file for
+// MANO's hand it is not, and MANO's model must not be redistributed, so that file is not read.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/recording/json_lines.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/hot3d_poses.hpp"
 #include "stages/import/trackers/readers.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The cameras of a headset record the same frame a tenth of a millisecond apart.
+/// Poses closer than this are of one frame, which cameras of a headset record 0.1 ms apart.
 constexpr std::int64_t kSameFrame_ns = 10'000'000;
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
@@ -38,30 +39,23 @@ bool is_file(const fs::path& file) {
   return fs::is_regular_file(file, error);
 }
 
-std::int64_t stamp_of(const JsonNode& line) {
-  const JsonNode stamp = line.at("timestamp_ns");
-  if (!stamp.value->is_number_integer()) stamp.fail("must be a whole number");
-  return stamp.value->get<std::int64_t>();
-}
-
 void read_hand(const JsonNode& pose, const UmetrackHand& model, Side side, std::size_t row,
                const TrackerFrame& frame, RecordedHand& hand) {
   const JsonNode wrist = pose.at("wrist_xform");
-  const Pose at = make_pose(wrist.at("t_xyz").point(), wrist.at("q_wxyz").quaternion());
   const auto points = umetrack_forward_kinematics(
-      model, side, at, pose.at("joint_angles").numbers(UmetrackHand::kAngleCount));
+      model, side, make_pose(wrist.at("t_xyz").point(), wrist.at("q_wxyz").quaternion()),
+      pose.at("joint_angles").numbers(UmetrackHand::kAngleCount));
   const double confidence = pose.has("hand_confidence") ? pose.at("hand_confidence").number() : 1.0;
   hand.confidence[row] = std::clamp(confidence, 0.0, 1.0);
   if (!(confidence > 0)) return;
   const KeypointOrder& order = *keypoint_order("aria");
-  for (std::size_t k = 0; k < kKeypointCount; ++k) {
+  for (int k = 0; k < kKeypointCount; ++k) {
     if (order.joint[k] < 0) continue;
     hand.keypoints(row, k) = frame.point(points.landmarks[order.joint[k]]);
   }
   hand.keypoints(row, 1) = frame.point(points.thumb_cmc);
 }
 
-/// The frames of the file with the pose of each hand.
 struct HandFrames {
   std::vector<std::int64_t> time_ns;
   RecordedHand hands[2];
@@ -71,71 +65,70 @@ struct HandFrames {
 HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const TrackerFrame& frame) {
   HandFrames frames;
   std::vector<std::int64_t>& stamps = frames.time_ns;
-  std::vector<nlohmann::json> lines;
-  std::vector<std::size_t> numbers;
+  std::vector<nlohmann::json> poses_of_lines;
+  std::vector<std::size_t> line_numbers;
   each_json_line(file, [&](const JsonNode& line) {
-    const std::int64_t now = stamp_of(line);
-    if (!stamps.empty() && now <= stamps.back()) {
-      line.at("timestamp_ns").fail("must be greater than in the previous line");
-    }
+    const JsonNode stamp = line.at("timestamp_ns");
+    if (!stamp.value->is_number_integer()) stamp.fail("must be a whole number");
+    const auto now = stamp.value->get<std::int64_t>();
+    if (!stamps.empty() && now <= stamps.back())
+      stamp.fail("must be greater than in the previous line");
     if (!stamps.empty() && now - stamps.back() < kSameFrame_ns) {
       ++frames.duplicate_count;
       return;
     }
     stamps.push_back(now);
-    lines.push_back(*line.at("hand_poses").value);
-    numbers.push_back(line.line);
+    poses_of_lines.push_back(*line.at("hand_poses").value);
+    line_numbers.push_back(line.line);
   });
   for (RecordedHand& hand : frames.hands) {
     hand = unseen_hand(stamps.size());
     hand.confidence.assign(stamps.size(), 0);
   }
   for (std::size_t i = 0; i < stamps.size(); ++i) {
-    const JsonNode poses{file.string(), numbers[i], "hand_poses", &lines[i]};
+    const JsonNode poses{file.string(), line_numbers[i], "hand_poses", &poses_of_lines[i]};
     for (const auto& [key, side] : {std::pair("0", Side::left), std::pair("1", Side::right)}) {
       if (!poses.has(key)) continue;
-      read_hand(poses.at(key), model, side, i, frame, frames.hands[static_cast<std::size_t>(side)]);
+      read_hand(poses.at(key), model, side, i, frame, frames.hands[side_index(side)]);
     }
   }
   return frames;
 }
 
-/// Returns names by number, from metadata.json or a library's instance.json.
-std::map<std::string, std::string> object_names(const fs::path& folder) {
-  std::map<std::string, std::string> names;
-  if (const fs::path file = folder / "metadata.json"; is_file(file)) {
-    const nlohmann::json json = read_json(file);
-    const JsonNode top{file.string(), 0, "", &json};
-    if (top.has("object_uids") && top.has("object_names")) {
-      const nlohmann::json &uids = *top.at("object_uids").value,
-                           &called = *top.at("object_names").value;
-      for (std::size_t k = 0; k < std::min(uids.size(), called.size()); ++k) {
-        if (uids[k].is_string() && called[k].is_string()) names[uids[k]] = called[k];
-      }
-    }
+std::map<std::string, std::string> metadata_names(const fs::path& folder) {
+  std::map<std::string, std::string> object_names;
+  const fs::path file = folder / "metadata.json";
+  if (!is_file(file)) return object_names;
+  const nlohmann::json json = read_json(file);
+  const JsonNode top{file.string(), 0, "", &json};
+  if (!top.has("object_uids") || !top.has("object_names")) return object_names;
+  const nlohmann::json& uids = *top.at("object_uids").value;
+  const nlohmann::json& names = *top.at("object_names").value;
+  for (std::size_t k = 0; k < std::min(uids.size(), names.size()); ++k) {
+    if (uids[k].is_string() && names[k].is_string()) object_names[uids[k]] = names[k];
   }
-  return names;
+  return object_names;
 }
 
+/// Returns the folders in which objects' meshes and names may be.
 std::vector<fs::path> libraries(const fs::path& folder) {
-  std::vector<fs::path> places{folder};
+  std::vector<fs::path> libraries{folder};
   for (const fs::path& above : {folder, folder / "..", folder / ".." / ".."}) {
-    for (const char* name : {"object_models", "object_library", "assets"}) {
-      places.push_back(above / name);
-    }
+    for (const char* name : {"object_models", "object_library", "assets"})
+      libraries.push_back(above / name);
   }
-  return places;
+  return libraries;
 }
 
 std::map<std::string, std::string> library_names(const fs::path& folder) {
   std::map<std::string, std::string> names;
-  for (const fs::path& place : libraries(folder)) {
-    const fs::path file = place / "instance.json";
+  for (const fs::path& library : libraries(folder)) {
+    const fs::path file = library / "instance.json";
     if (!is_file(file)) continue;
     const nlohmann::json json = read_json(file);
     for (const auto& [uid, entry] : json.items()) {
-      const JsonNode at{file.string(), 0, uid, &entry};
-      if (at.has("instance_name")) names.emplace(uid, at.at("instance_name").text());
+      const JsonNode object{file.string(), 0, uid, &entry};
+      if (object.has("instance_name")) names.emplace(uid, object.at("instance_name").text());
     }
   }
   return names;
@@ -143,21 +136,20 @@ std::map<std::string, std::string> library_names(const fs::path& folder) {
 
 SceneObject shape_of(const fs::path& folder, const std::string& uid, const std::string& name,
                      std::vector<std::string>& reports) {
-  for (const fs::path& place : libraries(folder)) {
-    const fs::path file = place / (uid + ".glb");
+  for (const fs::path& library : libraries(folder)) {
+    const fs::path file = library / (uid + ".glb");
     if (!is_file(file)) continue;
     SceneObject mesh;
     mesh.shape = Shape::mesh;
     const std::string fault = collision::load_mesh(file, 1, false, mesh);
     if (!fault.empty()) throw InputError(fmt::format("{}: {}", file.string(), fault));
     mesh.name = name;
-    reports.push_back(fmt::format("object {}: shape from {}", name, file.string()));
+    add_note(reports, "object {}: shape from {}", name, file.string());
     return mesh;
   }
   return placeholder_sphere(name, reports);
 }
 
-/// Reads the objects. `begin_ns` is the time 0.
 std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame& frame,
                                       std::int64_t begin_ns, std::vector<std::string>& reports) {
   std::vector<SceneObject> objects;
@@ -166,7 +158,7 @@ std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame
     reports.push_back("no dynamic_objects.csv beside the file: no object was recorded");
     return objects;
   }
-  std::map<std::string, std::string> names = object_names(folder);
+  std::map<std::string, std::string> names = metadata_names(folder);
   names.merge(library_names(folder));
   std::set<std::string> taken;
   for (const auto& [uid, poses] : read_hot3d_poses(file)) {
@@ -187,59 +179,52 @@ std::vector<SceneObject> read_objects(const fs::path& folder, const TrackerFrame
   return objects;
 }
 
-/// Reads the headset's poses at the frames of the hands, as the body's head.
+/// Returns a body whose head has the headset's first pose within 10 ms of each frame of the hands.
 BodyStream read_head(const fs::path& folder, const std::vector<std::int64_t>& time_ns,
                      const TrackerFrame& frame) {
-  BodyStream body;
   const fs::path file = folder / "headset_trajectory.csv";
-  if (!is_file(file)) return body;
+  if (!is_file(file)) return {};
   const auto bodies = read_hot3d_poses(file);
-  if (bodies.empty()) return body;
+  if (bodies.empty()) return {};
   const TimedPoses& headset = bodies.begin()->second;
-  body.names = {"head"};
-  body.position = Array2D<Vec3>(time_ns.size(), 1, unknown_point());
-  body.orientation = Array2D<Quat>(time_ns.size(), 1, unknown_rotation());
+  BodyStream body = unseen_body({"head"}, time_ns.size());
   std::size_t next = 0;
   for (std::size_t i = 0; i < time_ns.size(); ++i) {
-    const std::int64_t from = time_ns[i] - kSameFrame_ns, to = time_ns[i] + kSameFrame_ns;
-    while (next < headset.time_ns.size() && headset.time_ns[next] < from) ++next;
-    if (next == headset.time_ns.size() || headset.time_ns[next] > to) continue;
-    const Pose head = frame.pose(headset.pose[next]);
-    body.position(i, 0) = head.translation();
-    body.orientation(i, 0) = Quat(head.linear());
+    const std::int64_t min_ns = time_ns[i] - kSameFrame_ns, max_ns = time_ns[i] + kSameFrame_ns;
+    while (next < headset.time_ns.size() && headset.time_ns[next] < min_ns) ++next;
+    if (next == headset.time_ns.size() || headset.time_ns[next] > max_ns) continue;
+    set_pose(frame.pose(headset.pose[next]), i, 0, body);
   }
   return body;
 }
 
 struct Metadata {
-  std::string axes, because, subject;
+  std::string axes, axes_reason, subject;
 };
 
 Metadata read_metadata(const fs::path& folder, const RecordingFiles& files) {
-  Metadata said;
+  Metadata metadata;
   const fs::path file = folder / "metadata.json";
   std::string headset;
   if (is_file(file)) {
     const nlohmann::json json = read_json(file);
     const JsonNode top{file.string(), 0, "", &json};
     if (top.has("headset")) headset = top.at("headset").text();
-    if (top.has("participant_id")) said.subject = top.at("participant_id").text();
+    if (top.has("participant_id")) metadata.subject = top.at("participant_id").text();
   }
   if (headset == "Aria") {
-    said.axes = "x y z";
+    metadata.axes = "x y z";
   } else if (headset.starts_with("Quest")) {
-    said.axes = "x -z y";
+    metadata.axes = "x -z y";
   } else if (files.conventions.axes.empty()) {
     throw UnresolvedConvention(
         "axes", fmt::format("{}: axes: no metadata.json beside the file names the headset (Aria "
                             "has Z up, Quest 3 Y); give --axes or `axes:`",
                             files.file.string()));
   }
-  said.because = fmt::format(
-      "up axis of the headset {}; facing direction "
-      "not in the file",
-      headset);
-  return said;
+  metadata.axes_reason =
+      fmt::format("up axis of the headset {}; facing direction not in the file", headset);
+  return metadata;
 }
 
 }  // namespace
@@ -248,7 +233,7 @@ bool recognises_hot3d(std::string_view head) {
   const std::string_view line = head.substr(0, head.find('\n'));
   const auto has = [&](std::string_view key) { return line.find(key) != std::string_view::npos; };
   return line.starts_with('{') && has("\"timestamp_ns\"") && has("\"hand_poses\"") &&
-         head.find("\"betas\"") == std::string_view::npos;  // otherwise it is MANO's
+         head.find("\"betas\"") == std::string_view::npos;  // only in the file for MANO's model
 }
 
 Demonstration read_hot3d(const RecordingFiles& files) {
@@ -260,20 +245,20 @@ Demonstration read_hot3d(const RecordingFiles& files) {
   }
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.import_notes;
-  const Metadata said = read_metadata(folder, files);
-  demonstration.subject = said.subject;
-  const TrackerFrame frame = tracker_frame(files, said.axes, "m", said.because, reports);
+  const Metadata metadata = read_metadata(folder, files);
+  demonstration.subject = metadata.subject;
+  const TrackerFrame frame =
+      tracker_frame(files, metadata.axes, "m", metadata.axes_reason, reports);
   HandFrames read = read_hands(files.file, read_umetrack_hand(profile), frame);
   if (read.duplicate_count > 0) {
-    reports.push_back(
-        fmt::format("{} skipped, within 10 ms of the previous one: from another camera",
-                    count_with_noun(read.duplicate_count, "frame")));
+    add_note(reports, "{} skipped, within 10 ms of the previous one: from another camera",
+             count_with_noun(read.duplicate_count, "frame"));
   }
   HandClip clip;
   if (read.time_ns.empty()) throw InputError(fmt::format("{}: has no frames", files.file.string()));
   const std::int64_t begin_ns = read.time_ns.front();
   for (const std::int64_t now_ns : read.time_ns) clip.time.push_back(seconds(begin_ns, now_ns));
-  reports.push_back(fmt::format("time 0 is {} ns in the file", begin_ns));
+  add_note(reports, "time 0 is {} ns in the file", begin_ns);
   clip.hands = {std::move(read.hands[0]), std::move(read.hands[1])};
   clip.objects = read_objects(folder, frame, begin_ns, reports);
   clip.body = read_head(folder, read.time_ns, frame);

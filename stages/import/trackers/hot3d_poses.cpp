@@ -1,7 +1,6 @@
 #include "stages/import/trackers/hot3d_poses.hpp"
 
 #include <cmath>
-#include <string_view>
 
 #include "stages/import/recording/named_columns.hpp"
 #include "stages/import/recording/whole_number.hpp"
@@ -21,17 +20,15 @@ std::map<std::string, TimedPoses> read_hot3d_poses(const std::filesystem::path& 
     const auto time_ns = whole_number(row[stamp]);
     if (!time_ns) csv.fail(line, "timestamp[ns]", "must be a whole number");
     TimedPoses& body = bodies[std::string(row[uid])];
-    if (!body.time_ns.empty() && *time_ns <= body.time_ns.back()) {
+    if (!body.time_ns.empty() && *time_ns <= body.time_ns.back())
       csv.fail(line, "timestamp[ns]", "must be greater than in the previous row of this object");
-    }
     double v[7];
-    for (std::size_t k = 0; k < 7; ++k) v[k] = columns.number(line, row, numbers[k]);
-    const Quat turn(v[3], v[4], v[5], v[6]);
-    if (!(std::abs(turn.norm() - 1) < 0.01)) {
+    for (int k = 0; k < 7; ++k) v[k] = columns.number(line, row, numbers[k]);
+    const Quat rotation(v[3], v[4], v[5], v[6]);
+    if (!(std::abs(rotation.norm() - 1) < 0.01))
       csv.fail(line, "q_wo_w", "is not a quaternion of unit length");
-    }
     body.time_ns.push_back(*time_ns);
-    body.pose.push_back(make_pose({v[0], v[1], v[2]}, turn.normalized()));
+    body.pose.push_back(make_pose({v[0], v[1], v[2]}, rotation.normalized()));
   }
   return bodies;
 }

@@ -9,16 +9,14 @@
 
 namespace morphe::imports {
 
-/// Number of keypoints: the wrist and four per finger.
-inline constexpr std::size_t kKeypointCount = 1 + 4 * kFingerCount;
+inline constexpr int kKeypointCount = 1 + 4 * kFingerCount;  ///< the wrist and four per finger
 
 /// The order in which a tool lists a hand's joints. Keypoints are the wrist, then four per finger
 /// from its base to its tip, thumb first (CMC, MCP, IP, tip; the others MCP, PIP, DIP, tip).
 struct KeypointOrder {
-  std::string_view name;   ///< "openpose", "aria", "openxr", …
-  std::size_t joints = 0;  ///< number of joints in the tool's list
-  /// Keypoint k is the list's joint [k]; -1 if the list lacks it.
-  std::array<int, kKeypointCount> joint{};
+  std::string_view name;                    ///< "openpose", "aria", "openxr", …
+  std::size_t joints = 0;                   ///< number of joints in the tool's list
+  std::array<int, kKeypointCount> joint{};  ///< [k] index of keypoint k in the list; -1 if absent
 };
 
 /// Returns all orders.

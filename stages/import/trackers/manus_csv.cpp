@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/motion/input_error.hpp"
 #include "stages/import/recording/named_columns.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 #include "stages/import/trackers/readers.hpp"
@@ -18,18 +18,17 @@ namespace {
 
 constexpr const char* kTimeColumn = "Elapsed_Time_In_Milliseconds";
 
-/// Returns the nodes in the order of keypoints. The exporter calls the thumb's last joint DIP.
-std::vector<std::string> nodes() {
+/// Returns the nodes' names in the order of keypoints. The thumb's IP joint is called DIP.
+std::vector<std::string> node_names() {
   std::vector<std::string> names{"Hand", "Thumb_CMC", "Thumb_MCP", "Thumb_DIP", "Thumb_TIP"};
   for (const char* finger : {"Index", "Middle", "Ring", "Pinky"}) {
-    for (const char* joint : {"MCP", "PIP", "DIP", "TIP"}) {
+    for (const char* joint : {"MCP", "PIP", "DIP", "TIP"})
       names.push_back(fmt::format("{}_{}", finger, joint));
-    }
   }
   return names;
 }
 
-/// Returns the side in the suffix of the file's name: …_L.csv, …_right.csv.
+/// Returns the side at the end of a file's stem, as in …_L.csv and …_right.csv.
 std::optional<Side> side_in(std::string stem) {
   std::ranges::transform(stem, stem.begin(), [](unsigned char c) { return std::tolower(c); });
   if (stem.ends_with("_l") || stem.ends_with("left")) return Side::left;
@@ -37,18 +36,16 @@ std::optional<Side> side_in(std::string stem) {
   return std::nullopt;
 }
 
-/// Returns the side by the file's name, otherwise by the curl of the fingers, otherwise the
-/// requested one.
+/// Returns the side in the file's name; without it, that of the curl; without this, files.hand.
 Side side_of(const RecordingFiles& files, const RecordedHand& hand,
              std::vector<std::string>& reports) {
   if (const auto side = side_in(files.file.stem().string())) return *side;
-  const double out = finger_curl_m(hand.keypoints);
-  const bool curls = std::abs(out) > kMinCurl_m;
-  const Side side = !curls ? files.hand : out < 0 ? Side::right : Side::left;
-  reports.push_back(fmt::format("the file name does not end in _L or _R: {} hand, {}",
-                                name_of(side),
-                                curls ? "judged by the curl of its fingers"
-                                      : "as requested: its fingers are too straight to judge"));
+  const double curl_m = finger_curl_m(hand.keypoints);
+  const bool is_curled = std::abs(curl_m) > kMinCurl_m;
+  const Side side = !is_curled ? files.hand : curl_m < 0 ? Side::right : Side::left;
+  add_note(reports, "the file name does not end in _L or _R: {} hand, {}", name_of(side),
+           is_curled ? "judged by the curl of its fingers"
+                     : "as requested: its fingers are too straight to judge");
   return side;
 }
 
@@ -64,9 +61,9 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
   const files::CsvText csv = files::read_csv(files.file);
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
   const NamedColumns columns(csv, 1);
-  const std::size_t clock = columns.at(kTimeColumn);
+  const std::size_t time_column = columns.at(kTimeColumn);
   std::vector<std::vector<std::size_t>> points;
-  for (const std::string& node : nodes()) {
+  for (const std::string& node : node_names()) {
     points.push_back(columns.at(std::vector<std::string>{node + "_Position_X", node + "_Position_Y",
                                                          node + "_Position_Z"}));
   }
@@ -74,21 +71,21 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
   std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
   TrackerFrame frame = tracker_frame(files, "x y z", "cm", "", reports);
-  frame.world_from_file.col(0) *= -1;
+  frame.world_from_file.col(0) *= -1;  // the file's axes are left-handed
   reports.push_back("the axes of the file are left-handed; x is negated");
   HandClip clip;
   RecordedHand hand = unseen_hand(columns.rows());
   for (std::size_t line = columns.first_row(); line <= csv.lines.size(); ++line) {
     const auto row = columns.cells(line);
-    add_time(columns.number(line, row, clock) / 1e3, csv.file, line, kTimeColumn, clip.time);
-    for (std::size_t k = 0; k < kKeypointCount; ++k) {
+    add_time(columns.number(line, row, time_column) / 1e3, csv.file, line, kTimeColumn, clip.time);
+    for (int k = 0; k < kKeypointCount; ++k) {
       hand.keypoints(line - columns.first_row(), k) = frame.point(
           {columns.number(line, row, points[k][0]), columns.number(line, row, points[k][1]),
            columns.number(line, row, points[k][2])});
     }
   }
   const Side side = side_of(files, hand, reports);
-  clip.hands[static_cast<std::size_t>(side)] = std::move(hand);
+  clip.hands[side_index(side)] = std::move(hand);
   add_shape(std::move(clip), files, "the glove was not tracked", demonstration);
   return demonstration;
 }

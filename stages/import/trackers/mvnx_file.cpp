@@ -8,6 +8,7 @@
 #include "core/files/csv.hpp"
 #include "core/files/xml_text.hpp"
 #include "core/motion/count_with_noun.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -21,31 +22,25 @@ const XmlElement& child_of(const XmlText& xml, const XmlElement& parent, const c
   return *child;
 }
 
-std::string text_of(const XmlElement& element) {
-  const char* text = element.GetText();
-  return text == nullptr ? "" : text;
-}
-
-/// Returns the requested count of numbers in an element's text.
 std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, std::size_t count) {
-  const std::string text = text_of(element);
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::string_view text = element.GetText() == nullptr ? "" : element.GetText();
   std::vector<double> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  constexpr std::string_view kSpace = " \t\r\n";
-  while (at != end) {
-    if (kSpace.find(*at) != std::string_view::npos) {
-      ++at;
+  const char* position = text.data();
+  const char* const end = position + text.size();
+  while (position != end) {
+    if (kBlanks.find(*position) != std::string_view::npos) {
+      ++position;
       continue;
     }
     double value = 0;
-    const auto [stop, error] = std::from_chars(at, end, value);
+    const auto [value_end, error] = std::from_chars(position, end, value);
     if (error != std::errc() || !std::isfinite(value)) {
       xml.fail(element, element.Value(),
                fmt::format("value {} is not a number", numbers.size() + 1));
     }
     numbers.push_back(value);
-    at = stop;
+    position = value_end;
   }
   if (numbers.size() != count) {
     xml.fail(element, element.Value(),
@@ -54,7 +49,7 @@ std::vector<double> numbers_of(const XmlText& xml, const XmlElement& element, st
   return numbers;
 }
 
-/// Reads the labels, and the points that are named as tips.
+/// Reads the labels of segments, and the positions of points whose label contains "Tip".
 MvnxSegments read_segments(const XmlText& xml, const XmlElement* list) {
   MvnxSegments segments;
   if (list == nullptr) return segments;
@@ -66,8 +61,8 @@ MvnxSegments read_segments(const XmlText& xml, const XmlElement* list) {
     for (const XmlElement* point : files::children(*points, "point")) {
       const char* name = point->Attribute("label");
       if (name == nullptr || std::string_view(name).find("Tip") == std::string_view::npos) continue;
-      const auto at = numbers_of(xml, child_of(xml, *point, "pos_b"), 3);
-      segments.tips[label] = Vec3(at[0], at[1], at[2]);
+      const auto tip = numbers_of(xml, child_of(xml, *point, "pos_b"), 3);
+      segments.tips[label] = Vec3(tip[0], tip[1], tip[2]);
     }
   }
   return segments;
@@ -77,19 +72,18 @@ void read_frame(const XmlText& xml, const XmlElement& frame, const std::string& 
                 std::size_t row, MvnxSegments& segments) {
   const std::size_t count = segments.labels.size();
   if (count == 0) return;
-  const XmlElement& places = child_of(xml, frame, ("position" + suffix).c_str());
-  const XmlElement& turns = child_of(xml, frame, ("orientation" + suffix).c_str());
-  const auto position = numbers_of(xml, places, 3 * count);
-  const auto orientation = numbers_of(xml, turns, 4 * count);
+  const XmlElement& positions = child_of(xml, frame, ("position" + suffix).c_str());
+  const XmlElement& orientations = child_of(xml, frame, ("orientation" + suffix).c_str());
+  const auto p = numbers_of(xml, positions, 3 * count);
+  const auto q = numbers_of(xml, orientations, 4 * count);
   for (std::size_t k = 0; k < count; ++k) {
-    segments.position(row, k) = Vec3(position[3 * k], position[3 * k + 1], position[3 * k + 2]);
-    const Quat turn(orientation[4 * k], orientation[4 * k + 1], orientation[4 * k + 2],
-                    orientation[4 * k + 3]);
-    if (!(std::abs(turn.norm() - 1) < 0.01)) {
-      xml.fail(turns, turns.Value(),
+    segments.position(row, k) = Vec3(p[3 * k], p[3 * k + 1], p[3 * k + 2]);
+    const Quat rotation(q[4 * k], q[4 * k + 1], q[4 * k + 2], q[4 * k + 3]);
+    if (!(std::abs(rotation.norm() - 1) < 0.01)) {
+      xml.fail(orientations, orientations.Value(),
                fmt::format("{}: is not a quaternion of unit length", segments.labels[k]));
     }
-    segments.orientation(row, k) = turn.normalized();
+    segments.orientation(row, k) = rotation.normalized();
   }
 }
 
@@ -106,19 +100,17 @@ double number_attribute(const XmlText& xml, const XmlElement& element, const cha
 std::vector<const XmlElement*> motion_frames(const XmlText& xml, const XmlElement& frames,
                                              std::vector<std::string>& reports) {
   std::vector<const XmlElement*> motion;
-  std::size_t poses = 0;
+  std::size_t calibration_count = 0;
   for (const XmlElement* frame : files::children(frames, "frame")) {
     if (xml.attribute(*frame, "type") == "normal") {
       motion.push_back(frame);
     } else {
-      ++poses;
+      ++calibration_count;
     }
   }
   if (motion.empty()) xml.fail(frames, "frame", "no frame has the type normal");
-  if (poses > 0) {
-    reports.push_back(
-        fmt::format("{} of the calibration skipped", count_with_noun(poses, "frame")));
-  }
+  if (calibration_count > 0)
+    add_note(reports, "{} of the calibration skipped", count_with_noun(calibration_count, "frame"));
   return motion;
 }
 
@@ -132,13 +124,12 @@ void allocate_frames(MvnxSegments& segments, std::size_t rows) {
 MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
   const XmlText xml(path, "mvnx");
   MvnxFile read;
-  read.file = path.string();
   const XmlElement& subject = child_of(xml, xml.root(), "subject");
   const std::size_t people = files::children(xml.root(), "subject").size();
   if (const char* label = subject.Attribute("label")) read.subject = label;
   if (people > 1) {
-    read.import_notes.push_back(
-        fmt::format("the file has {} people; the first, {}, is used", people, read.subject));
+    add_note(read.import_notes, "the file has {} people; the first, {}, is used", people,
+             read.subject);
   }
   if (!(rate_hz > 0)) rate_hz = number_attribute(xml, subject, "frameRate");
   if (!(rate_hz > 0)) xml.fail(subject, "subject.frameRate", "must be positive");
@@ -148,19 +139,19 @@ MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
   const auto frames = motion_frames(xml, child_of(xml, subject, "frames"), read.import_notes);
   allocate_frames(read.body, frames.size());
   for (MvnxSegments& hand : read.fingers) allocate_frames(hand, frames.size());
-  double first = 0, last = 0;
+  double first_index = 0, last_index = 0;
   for (std::size_t row = 0; row < frames.size(); ++row) {
     const XmlElement& frame = *frames[row];
-    // Times are rounded to milliseconds, unlike the index.
+    // The times in the file are rounded to milliseconds, so times are computed from the index.
     const double index = frame.Attribute("index") != nullptr ? number_attribute(xml, frame, "index")
                                                              : static_cast<double>(row);
     if (row == 0) {
-      first = index;
-    } else if (!(index > last)) {
+      first_index = index;
+    } else if (!(index > last_index)) {
       xml.fail(frame, "frame.index", "must be greater than in the previous frame");
     }
-    last = index;
-    read.time.push_back((index - first) / rate_hz);
+    last_index = index;
+    read.time.push_back((index - first_index) / rate_hz);
     read_frame(xml, frame, "", row, read.body);
     read_frame(xml, frame, "FingersRight", row, read.fingers[0]);
     read_frame(xml, frame, "FingersLeft", row, read.fingers[1]);

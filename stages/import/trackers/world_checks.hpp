@@ -7,9 +7,8 @@
 
 namespace morphe::imports {
 
-/// Adds to `reports` observations that contradict a stationary world with Z up: hands above the
-/// head (another axis may be up), and objects that move before a hand is near (the frame may be
-/// that of a moving camera). A hand without head and objects allows neither check.
+/// Adds notes to `reports` on signs that the world moves or Z is not up: hands above the head, and
+/// objects that move before a hand is near.
 void check_world(const HandClip& clip, std::vector<std::string>& reports);
 
 }  // namespace morphe::imports

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/collision/convex_hull.hpp"
+#include "core/collision/mesh_file.hpp"
 #include "tests/core/collision/meshes.hpp"
 #include "tests/core/collision/random_bodies.hpp"
 #include "tests/core/collision/reference_distance.hpp"

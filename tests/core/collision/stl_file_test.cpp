@@ -1,7 +1,9 @@
 #include "core/collision/stl_file.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -52,6 +54,23 @@ TEST_F(StlFile, TextAndBinary) {
   }
 }
 
+TEST_F(StlFile, TextMayBeginWithBlanksOrAMarkAndHasAnyCase) {
+  const std::string facet =
+      "facet normal 0 0 1\nouter loop\nvertex 0 1 2\nvertex 3 0 5\nVERTEX 6 7 x\n";
+  for (const std::string start :
+       {"\n\t solid", "\xEF\xBB\xBFsolid", "SOLID", "\xEF\xBB\xBF\nSolid"}) {
+    const std::string text = start + " a vertex in a name\n" + facet;
+    ASSERT_GT(text.size(), 84u);  // as long as a binary file at least
+    const long line = std::count(start.begin(), start.end(), '\n') + 6;
+    EXPECT_EQ(read(text), fmt::format("line {}: 'vertex' must be followed by 3 numbers", line));
+    std::string valid = text;
+    valid[valid.rfind('x')] = '8';
+    EXPECT_EQ(read(valid + "endloop\nENDFACET\nEndSolid a vertex\n"), "");
+    ASSERT_EQ(mesh.vertices.size(), 3u);
+    EXPECT_EQ(mesh.vertices[2], Vec3(6, 7, 8));
+  }
+}
+
 TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
   std::string cut = binary(2, 1);
   cut[0] = 'x';
@@ -59,9 +78,15 @@ TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
   std::string huge = binary(0xffffffff, 1);
   huge[0] = 'x';
   EXPECT_EQ(read(huge), "the header states 4294967295 facets, but the file has only 1");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2\n"), "line 4: a corner needs 3 numbers");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2 x\n"), "line 3: a corner needs 3 numbers");
-  EXPECT_EQ(read("solid\nvertex 1 2 3\nendfacet\n"), "line 3: a facet must have 3 corners");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2\n"),
+            "line 3: 'vertex' must be followed by 3 numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nvertex 1 2 x\n"),
+            "line 3: 'vertex' must be followed by 3 numbers");
+  EXPECT_EQ(read("solid\nvertex 1 2 3\nendfacet\n"),
+            "line 3: the facet that ends here has 1 vertex, not 3");
+  const std::string two = "vertex 1 2 3\nvertex 1 2 3\n";
+  EXPECT_EQ(read("solid\n" + two + two + two + "endfacet\n"),
+            "line 8: the facet that ends here has 6 vertices, not 3");
   EXPECT_EQ(read("solid\nvertex 1 2 3\n"), "the file ends within a facet");
   EXPECT_EQ(read(""), "");  // nothing: a mesh without triangles is for others to refuse
   EXPECT_TRUE(mesh.triangles.empty());

@@ -34,29 +34,35 @@ std::string read_error(const std::string& text) {
 }
 
 TEST(RenamedKeys, KnowsWhatAnOldNameIsCalledNow) {
-  EXPECT_EQ(renamed_key("farthest_tip", {"engine", "max_tip_error"}), "max_tip_error");
-  EXPECT_EQ(renamed_key("farthest_tip", {"engine"}), "") << "no key here is called so now";
-  EXPECT_EQ(renamed_key("max_tip_error", {"engine", "max_tip_error"}), "");
-  EXPECT_EQ(renamed_key("farthest", {"max_tip_error"}), "") << "old names are taken as they are";
-  EXPECT_EQ(renamed_key("", {""}), "");
+  EXPECT_EQ(current_name("farthest_tip", {"engine", "max_tip_error"}), "max_tip_error");
+  EXPECT_EQ(current_name("farthest_tip", {"engine"}), "") << "no key here is called so now";
+  EXPECT_EQ(current_name("max_tip_error", {"engine", "max_tip_error"}), "");
+  EXPECT_EQ(current_name("farthest", {"max_tip_error"}), "") << "old names are taken as they are";
+  EXPECT_EQ(current_name("", {""}), "");
 }
 
 TEST(RenamedKeys, TellsKeysOfOneOldNameApartByWhereItStands) {
-  EXPECT_EQ(renamed_key("at", {"scale", "factor", "align"}), "align");
-  EXPECT_EQ(renamed_key("at", {"joint", "position"}), "position");
+  EXPECT_EQ(current_name("at", {"scale", "factor", "align"}), "align");
+  EXPECT_EQ(current_name("at", {"joint", "position"}), "position");
 }
 
 TEST(RenamedKeys, KnowsTheOldNameOfAKey) {
-  EXPECT_EQ(former_key("max_iterations", {"attempts", "iterations"}), "iterations");
-  EXPECT_EQ(former_key("max_iterations", {"attempts"}), "");
-  EXPECT_EQ(former_key("max_penetration", {"penetration"}), "penetration");
-  EXPECT_EQ(former_key("max_penetration", {"contact_depth"}), "contact_depth");
+  EXPECT_EQ(former_name("max_iterations", {"attempts", "iterations"}), "iterations");
+  EXPECT_EQ(former_name("max_iterations", {"attempts"}), "");
+  EXPECT_EQ(former_name("max_penetration", {"penetration"}), "penetration");
+  EXPECT_EQ(former_name("max_penetration", {"contact_depth"}), "contact_depth");
 }
 
 TEST(RenamedKeys, ComesBeforeWordsThatAreSpelledAlike) {
   EXPECT_EQ(spelling_hint("iterations", {"iteration", "max_iterations"}),
             "; it is now called 'max_iterations'");
   EXPECT_EQ(spelling_hint("iterations", {"iteration"}), "; did you mean 'iteration'?");
+}
+
+TEST(RenamedKeys, HaveOptionsAmongThem) {
+  EXPECT_EQ(spelling_hint("--static", {"--strict", "--static-trial"}),
+            "; it is now called '--static-trial'");
+  EXPECT_EQ(current_name("--torque", {"torque_limit"}), "") << "options are no keys";
 }
 
 TEST(RenamedKeys, AreRefusedWithTheNewName) {

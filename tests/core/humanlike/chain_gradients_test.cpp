@@ -6,6 +6,7 @@
 
 #include "core/humanlike/frame_objective.hpp"
 #include "core/humanlike/hull.hpp"
+#include "core/humanlike/metrics.hpp"
 #include "core/robot/files/description.hpp"
 #include "core/robot/files/generate.hpp"
 #include "core/robot/forward_kinematics.hpp"

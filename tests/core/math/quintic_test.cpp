@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "core/math/limit_report.hpp"
+
 namespace morphe::math {
 namespace {
 

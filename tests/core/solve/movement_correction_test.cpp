@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "core/solve/minimise_movement.hpp"
+
 namespace morphe::solve {
 namespace {
 

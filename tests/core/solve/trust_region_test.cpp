@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <random>
 
+#include "core/solve/minimise.hpp"
+
 namespace morphe::solve {
 namespace {
 

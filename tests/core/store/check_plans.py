@@ -41,15 +41,15 @@ def frames(f, m, n):
 
 def findings_of(group, count):
     return {**{f"{group}/{d}": ((count,), "f", "s", None) for d in ("begin_s", "end_s")},
-            **{f"{group}/{d}": ((count,), "S", "", None) for d in ("cause", "subject", "other_body")},
-            f"{group}/excess": ((count,), "f", "m or rad", None)}
+            **{f"{group}/{d}": ((count,), "S", "", None) for d in ("cause", "subject", "other_body", "unit")},
+            **{f"{group}/{d}": ((count,), "f", "m or rad", None) for d in ("excess", "limit")}}
 
 
 def repair(steps):
     return {f"repair/{name}": ((steps,), kind, unit, None) for name, kind, unit in [
         ("level", "i", "1"), ("name", "S", ""), ("begin_s", "f", "s"), ("end_s", "f", "s"),
         ("max_joint_change", "f", "rad or m"), ("finding_count", "i", "1"), ("collision_depth_sum", "f", "m"),
-        ("other_depth_sum", "f", "m or rad"), ("worst_finding", "S", ""), ("accepted", "u", "1"),
+        ("other_depth_sum", "f", "m"), ("worst_finding", "S", ""), ("accepted", "u", "1"),
         ("stop_reason", "S", "")]}
 
 

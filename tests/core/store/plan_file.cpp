@@ -112,7 +112,6 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(tip_orientation_error_max);
   EXPECT_SAME(upper_arm_error_mean);
   EXPECT_SAME(upper_arm_error_max);
-  EXPECT_SAME(natural_posture_error);
   EXPECT_SAME(duration_ratio);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
@@ -120,7 +119,6 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(sparc_human);
   EXPECT_SAME(log_dimensionless_jerk_robot);
   EXPECT_SAME(log_dimensionless_jerk_human);
-  EXPECT_SAME(repaired);
 }
 
 void expect_same(const Finding& a, const Finding& b) {
@@ -130,6 +128,8 @@ void expect_same(const Finding& a, const Finding& b) {
   EXPECT_SAME(subject);
   EXPECT_SAME(other_body);
   EXPECT_SAME(excess);
+  EXPECT_SAME(unit);
+  EXPECT_SAME(limit);
 }
 
 void expect_same(const RepairStep& a, const RepairStep& b) {
@@ -190,6 +190,8 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(mapped.objective);
   EXPECT_SAME(mapped.humanlikeness);
   EXPECT_SAME(mapped.status);
+  EXPECT_SAME(mapped.natural_posture_error);
+  EXPECT_SAME(repaired);
   expect_same(a.findings, b.findings);
   expect_same(a.remaining_findings, b.remaining_findings);
   expect_same(a.repair, b.repair);

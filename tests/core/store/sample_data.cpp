@@ -242,7 +242,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
   plan.findings = {{0.6, 0.7, Cause::object_collision, "finger", "table", 0.01},
-                   {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02}};
+                   {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02, FindingUnit::radian, 1.5}};
   plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},
                  {1, "attempt 1", kUnknown, kUnknown, 0, 2, 0.01, 0.02, "object_collision: finger",
                   false, "no detour found"}};
@@ -272,7 +272,9 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.retreat = trajectory(number, 3);
   plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
                       number(), kUnknown, number(), number(), number(), number(), number(),
-                      number(), number(), number(), number(), number(), true,     {"fixed"}};
+                      number(), number(), number(), number(), {"fixed"}};
+  plan.mapped.natural_posture_error = number();
+  plan.repaired = true;
   return plan;
 }
 

@@ -157,7 +157,7 @@ TEST(SelfCollision, TellsAlwaysFromNeverFromSometimes) {
               ElementsAre(std::array{0, 2}, std::array{1, 3}, std::array{2, 3}));
   EXPECT_THAT(pairs(found.sometimes), ElementsAre(std::array{0, 1}));
   // The lamp's end at 1.98 m is beyond the stretched arm's, 0.1 + 0.3 + 0.15 + 0.02.
-  EXPECT_GE(found.never[1].least_m, 1.98 - 0.57);
+  EXPECT_GE(found.never[1].distance_m, 1.98 - 0.57);
   const std::string text = self_collision_text(robot, found);
   EXPECT_THAT(text, HasSubstr("5 pairs of capsules in 4000 positions: 1 always overlap, 3 never"));
   EXPECT_THAT(text, HasSubstr("  - [end, collar]\n"));

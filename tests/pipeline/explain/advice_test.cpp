@@ -66,7 +66,8 @@ TEST(Advice, BeyondTheFarthestTipItSaysThatThePlanIsOnlyApproximate) {
 TEST(Advice, AMarginOrDepthPassesAContactUnlessBodiesOverlap) {
   Plan plan = resting_plan(0, Reason::no_path);
   plan.scene.objects = {certify::ball({0, 0.7, 0}, 0.1)};
-  plan.remaining_findings = {{0.2, 0.4, Cause::object_collision, "forearm", "ball", 0.0004}};
+  plan.remaining_findings = {
+      {0.2, 0.4, Cause::object_collision, "forearm", "ball", 0.0004, FindingUnit::metre, 0.001}};
   EXPECT_THAT(accepted_by(plan), ElementsAre("check.required_clearance=0.0005"))
       << "0.6 mm apart, 1 asked for";
   plan.remaining_findings[0].excess = 0.0214;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/math/quintic.hpp"
+#include "core/math/limit_report.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "tests/pipeline/planning/robot_demonstration.hpp"
 
@@ -13,9 +13,8 @@ namespace {
 class Approach : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    StageSeconds seconds;
     const test::RobotDemonstration of;
-    plan = new Plan(plan_movement(of.planner(), {}, of.motion, of.movement, seconds));
+    plan = new Plan(plan_movement(of.planner(), {}, of.motion, of.movement));
   }
   static void TearDownTestSuite() { delete plan; }
 

@@ -87,8 +87,8 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   const std::optional<InfeasibleFrame> end = find();
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, Reason::goal_in_collision);
-  EXPECT_GT(end->tried, 1);
-  EXPECT_GT(end->nearest.excess, 0);
+  EXPECT_GT(end->posture_count, 1);
+  EXPECT_GT(end->worst_finding.excess, 0);
   EXPECT_TRUE(holds.empty());
 }
 

@@ -112,14 +112,10 @@ TEST(LeftRobot, TakesALeftHandAsItIs) {
   const Demonstration left = reconstruct::mirror_image(right);  // says "right": what it is not
   Demonstration as_left = left;
   as_left.hand = Side::left;
-  StageSeconds seconds;
   const robot::Robot left_robot = mirrored(config.robot);
-  const Reconstruction from_right =
-      reconstruct_demonstration({config.options, left_robot}, right, seconds);
-  const Reconstruction from_left =
-      reconstruct_demonstration({config.options, left_robot}, as_left, seconds);
-  const Reconstruction plain =
-      reconstruct_demonstration({config.options, config.robot}, right, seconds);
+  const Reconstruction from_right = reconstruct_demonstration({config.options, left_robot}, right);
+  const Reconstruction from_left = reconstruct_demonstration({config.options, left_robot}, as_left);
+  const Reconstruction plain = reconstruct_demonstration({config.options, config.robot}, right);
   ASSERT_EQ(from_left.motion.time.size(), plain.motion.time.size());
   for (std::size_t i = 0; i < plain.motion.time.size(); i += 10) {
     const Vec3 here = plain.motion.tip(i, kIndex);

@@ -72,10 +72,9 @@ double least_distance(const robot::Robot& robot, const Trajectory& trajectory,
 
 Plan plan_beside(const test::RobotDemonstration& of, Demonstration demonstration,
                  std::vector<std::string>& notes) {
-  StageSeconds seconds;
   std::ranges::copy(other_arm_obstacles(of.planner(), demonstration, notes),
                     std::back_inserter(demonstration.objects));
-  return plan_movement(of.planner(), demonstration, of.motion, of.movement, seconds);
+  return plan_movement(of.planner(), demonstration, of.motion, of.movement);
 }
 
 TEST(OtherArm, IsPassedAtTheMarginOnlyIfAskedFor) {
@@ -91,7 +90,7 @@ TEST(OtherArm, IsPassedAtTheMarginOnlyIfAskedFor) {
   const Plan around = plan_beside(of, demonstration, notes);
   ASSERT_EQ(around.scene.objects.size(), 3u);
   ASSERT_TRUE(around.executable()) << around.detail;
-  EXPECT_TRUE(around.certificate.repaired);
+  EXPECT_TRUE(around.repaired);
   EXPECT_THAT(notes, ElementsAre(HasSubstr("no fingertip seen in 201 of 201 frames")));
   const auto found = std::ranges::any_of(around.findings, [](const Finding& finding) {
     return finding.other_body == "other hand" || finding.subject == "other hand";

@@ -13,10 +13,9 @@ namespace {
 using testing::HasSubstr;
 
 Plan plan_of(const test::RobotDemonstration& of) {
-  StageSeconds seconds;
   Demonstration demonstration;
   demonstration.name = "robot";
-  return plan_movement(of.planner(), demonstration, of.motion, of.movement, seconds);
+  return plan_movement(of.planner(), demonstration, of.motion, of.movement);
 }
 
 /// A ball around what a finger touches at the end.
@@ -35,7 +34,7 @@ TEST(PlanMovement, WhatTheRobotCanDoIsPlannedAndMet) {
   ASSERT_EQ(plan.reason, Reason::none) << plan.detail;
   EXPECT_LT(plan.certificate.tip_error_max, 1e-3);
   EXPECT_GE(plan.certificate.clearance, plan.tolerances.required_clearance);
-  EXPECT_FALSE(plan.certificate.repaired);
+  EXPECT_FALSE(plan.repaired);
   EXPECT_GT(plan.certificate.duration_ratio, 0.99);
   for (const auto reachable : plan.goals.reachable.values) EXPECT_EQ(reachable, 1);
   // From the trajectory itself: tips where the person's are, limits kept at every sample.
@@ -68,9 +67,7 @@ TEST(PlanMovement, AGraspInsideAnObstacleIsRefusedWithItsTime) {
 TEST(PlanParts, WhatIsExecutableOfAMovementThatFails) {
   test::RobotDemonstration of;
   of.config.scene.objects = {ball_at_the_end(of, 0.05)};
-  StageSeconds seconds;
-  const std::vector<Plan> parts =
-      plan_parts(of.planner(), {}, of.motion, of.movement, {0.4}, seconds);
+  const std::vector<Plan> parts = plan_parts(of.planner(), {}, of.motion, of.movement, {0.4});
   ASSERT_GT(parts.size(), 1u);
   EXPECT_EQ(parts.front().movement.begin_s, of.movement.begin_s);
   EXPECT_EQ(parts.back().movement.end_s, of.movement.end_s);
@@ -90,8 +87,7 @@ TEST(PlanParts, WhatIsExecutableOfAMovementThatFails) {
 
 TEST(PlanParts, AMovementThatSucceedsStaysWhole) {
   test::RobotDemonstration of;
-  StageSeconds seconds;
-  const std::vector<Plan> parts = plan_parts(of.planner(), {}, of.motion, of.movement, {}, seconds);
+  const std::vector<Plan> parts = plan_parts(of.planner(), {}, of.motion, of.movement, {});
   ASSERT_EQ(parts.size(), 1u);
   EXPECT_TRUE(parts.front().executable());
 }

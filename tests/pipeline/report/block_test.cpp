@@ -55,7 +55,7 @@ struct Read {
   }
   JointRows table(const Json& entry) const {
     JointRows values(entry["array"][0].get<int>(), entry["array"][1].get<int>());
-    std::size_t at = entry["at"].get<std::size_t>();
+    std::size_t at = entry["offset"].get<std::size_t>();
     for (Eigen::Index column = 0; column < values.cols(); ++column) {
       double before = 0, last = 0;
       for (Eigen::Index row = 0; row < values.rows(); ++row) {

@@ -35,7 +35,7 @@ TEST(Shard, LoadsDifferByAtMostTheLongest) {
   std::vector<std::size_t> frames;
   for (std::size_t i = 0; i < 1000; ++i) frames.push_back(100 + i * i * 7919 % 3001);
   for (const int count : {2, 7, 64}) {
-    const std::vector<std::uint32_t> shard_of = assign_shards(frames, count);
+    const std::vector<int> shard_of = assign_shards(frames, count);
     std::vector<std::size_t> loads(static_cast<std::size_t>(count), 0);
     for (std::size_t i = 0; i < frames.size(); ++i) loads.at(shard_of[i] - 1) += frames[i];
     const auto [least, most] = std::minmax_element(loads.begin(), loads.end());

@@ -134,7 +134,7 @@ TEST(GraspRows, CompareWhatIsExecutableBothWays) {
     fingertips.duration_s = 2;
     contacts.penetration.pads_m = 0.0004 * static_cast<double>(k);
     pairs[k].demonstrated_contacts = 3;
-    contacts.demonstrated = contacts.touching = k;
+    contacts.demonstrated = contacts.touching = static_cast<int>(k);
     ContactError error;
     error.distance = 0.001 * static_cast<double>(k);
     if (contacts.has_trajectory) contacts.errors = {error};

@@ -52,7 +52,7 @@ TEST_P(HeldObjects, LieAPadFromEveryTip) {
   const ObservedHand hand = pinching_hand();
   math::RandomStream random(1, "held objects");
   for (int k = 0; k < 50; ++k) {
-    const std::optional<HeldObject> held = sample_held_object(GetParam(), hand, {}, kPad_m, random);
+    const std::optional<HeldObject> held = draw_held_object(GetParam(), hand, {}, kPad_m, random);
     ASSERT_TRUE(held);
     ASSERT_EQ(held->contacts.size(), 3U);
     const Pose world_from_object = recorded_pose(held->object, 0);
@@ -72,8 +72,8 @@ TEST_P(HeldObjects, LieAPadFromEveryTip) {
 TEST_P(HeldObjects, AreNotDrawnTwiceAlike) {
   math::RandomStream random(1, "held objects");
   const ObservedHand hand = pinching_hand();
-  const auto one = sample_held_object(GetParam(), hand, {}, kPad_m, random);
-  const auto other = sample_held_object(GetParam(), hand, {}, kPad_m, random);
+  const auto one = draw_held_object(GetParam(), hand, {}, kPad_m, random);
+  const auto other = draw_held_object(GetParam(), hand, {}, kPad_m, random);
   ASSERT_TRUE(one && other);
   EXPECT_NE(one->object.size, other->object.size);
 }
@@ -82,11 +82,11 @@ TEST_P(HeldObjects, KeepClearOfTheRestOfTheHand) {
   const ObservedHand hand = pinching_hand();
   math::RandomStream random(1, "held objects");
   const Vec3 between = 0.5 * (hand.tip[kThumb] + hand.tip[kIndex]);
-  EXPECT_FALSE(sample_held_object(GetParam(), hand, {between}, kPad_m, random))
+  EXPECT_FALSE(draw_held_object(GetParam(), hand, {between}, kPad_m, random))
       << "all hold this point";
   const Vec3 beside = between + Vec3(0, -0.035, 0);
   for (int k = 0; k < 20; ++k) {
-    const auto held = sample_held_object(GetParam(), hand, {beside}, kPad_m, random);
+    const auto held = draw_held_object(GetParam(), hand, {beside}, kPad_m, random);
     if (!held) continue;
     const Vec3 p = recorded_pose(held->object, 0).inverse() * beside;
     if (held->object.shape == Shape::sphere) {
@@ -107,7 +107,7 @@ TEST_P(HeldObjects, DoNotReachBelowTheTable) {
   ObservedHand hand = pinching_hand();
   for (Vec3& tip : hand.tip) tip.z() -= 1.03;  // tips below its top
   math::RandomStream random(1, "held objects");
-  EXPECT_FALSE(sample_held_object(GetParam(), hand, {}, kPad_m, random));
+  EXPECT_FALSE(draw_held_object(GetParam(), hand, {}, kPad_m, random));
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, HeldObjects,

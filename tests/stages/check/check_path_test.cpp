@@ -143,6 +143,9 @@ TEST_F(CheckPath, JointsBeyondTheirLimitsAreJoined) {
   ASSERT_EQ(limits.size(), 2u);
   expect_finding(limits[0], Cause::joint_limit, "shoulder", "", 1, 2, 0.02);
   expect_finding(limits[1], Cause::joint_limit, "shoulder", "", 4, 4, 0.5);
+  EXPECT_EQ(limits[0].unit, FindingUnit::radian);
+  EXPECT_EQ(limits[0].limit, 3);
+  EXPECT_EQ(limits[1].limit, -3);
   EXPECT_TRUE(findings(path_of({{0, 3 + 1e-10}})).empty());
 }
 
@@ -241,6 +244,7 @@ TEST_F(CheckPath, ContactIsAllowedFromGraspToRelease) {
   const auto deep = findings(path_of(still));
   ASSERT_EQ(deep.size(), 1u);
   expect_finding(deep[0], Cause::object_collision, "forearm", "cup", 0, 7, 0.003);
+  EXPECT_EQ(deep[0].limit, options.tolerances.required_clearance) << "outside of the grasp";
 }
 
 TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "stages/import/guess/name_guess.hpp"
-#include "stages/import/guess/recorded_words.hpp"
+#include "stages/import/guess/recorded_name.hpp"
 #include "stages/import/recording/arm_names.hpp"
 
 namespace morphe::imports {
@@ -30,16 +30,16 @@ Names joints(const std::vector<std::string>& chain) {
   return {guessed.begin(), guessed.end()};
 }
 
-TEST(RecordedWords, AreTakenApart) {
-  const RecordedWords words = parse_recorded_name("mixamorig:RightHandIndex3_end");
-  for (const BodyWord word : {BodyWord::right, BodyWord::hand, BodyWord::index, BodyWord::tip}) {
-    EXPECT_TRUE(words.has(word));
+TEST(RecordedName, IsTakenApart) {
+  const RecordedName parsed = parse_recorded_name("mixamorig:RightHandIndex3_end");
+  for (const BodyTerm term : {BodyTerm::right, BodyTerm::hand, BodyTerm::index, BodyTerm::tip}) {
+    EXPECT_TRUE(parsed.has(term));
   }
-  EXPECT_EQ(words.numbers, std::vector<int>{3});
-  EXPECT_FALSE(words.has_unknown_word);
-  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyWord::elbow));
-  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyWord::right));
-  EXPECT_FALSE(parse_recorded_name("cup_handle").has(BodyWord::hand));
+  EXPECT_EQ(parsed.numbers, std::vector<int>{3});
+  EXPECT_FALSE(parsed.has_unknown_word);
+  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyTerm::elbow));
+  EXPECT_TRUE(parse_recorded_name("RELB").has(BodyTerm::right));
+  EXPECT_FALSE(parse_recorded_name("cup_handle").has(BodyTerm::hand));
   EXPECT_TRUE(parse_recorded_name("cup_handle").has_unknown_word);
   EXPECT_TRUE(parse_recorded_name(std::string(10000, 'l')).has_unknown_word);
 }

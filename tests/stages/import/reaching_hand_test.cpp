@@ -38,7 +38,7 @@ TEST(ReachingHand, TheSideThatMovesFarther) {
 TEST(ReachingHand, OneSideAlone) {
   const ReachingHand hand = hand_of({{"LWRI", 0.3}, {"LELB", 0.1}});
   EXPECT_EQ(hand.side, Side::left);
-  EXPECT_NE(hand.why.find("only points of the left side"), std::string::npos);
+  EXPECT_NE(hand.reason.find("only points of the left side"), std::string::npos);
 }
 
 TEST(ReachingHand, AssumedWhereNothingTells) {
@@ -46,7 +46,7 @@ TEST(ReachingHand, AssumedWhereNothingTells) {
                              {{"RTHUM", 0.30}, {"LTHUM", 0.31}}}) {
     const ReachingHand hand = hand_of(points);
     EXPECT_EQ(hand.side, Side::right);
-    EXPECT_NE(hand.why.find("assumed"), std::string::npos);
+    EXPECT_NE(hand.reason.find("assumed"), std::string::npos);
   }
 }
 

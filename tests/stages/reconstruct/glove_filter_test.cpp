@@ -26,7 +26,7 @@ double angle(std::size_t column, std::size_t moving, double time_s) {
 }
 
 struct Filtered {
-  TimeGrid clock{0, 100, static_cast<std::size_t>(kLast_s * 100)};
+  TimeGrid clock{0, 100, static_cast<int>(kLast_s * 100)};
   Columns fitted, plain;
 
   Filtered(std::size_t moving, double noise, double step = 0) {
@@ -63,7 +63,7 @@ struct Filtered {
   /// rms error of a column while it closes.
   double error(const Columns& columns, std::size_t column, std::size_t moving) const {
     double sum = 0, count = 0;
-    for (std::size_t i = 0; i < clock.count; ++i) {
+    for (int i = 0; i < clock.count; ++i) {
       if (clock.at(i) < kBegin_s || clock.at(i) > kBegin_s + kLength_s) continue;
       sum += std::pow(columns[column][i] - angle(column, moving, clock.at(i)), 2);
       ++count;
@@ -96,7 +96,7 @@ TEST(GloveFilter, AMovingHandIsAsFastAsTheLowPassLetsIt) {
 
 TEST(GloveFilter, WithoutNoiseNothingIsTakenAway) {
   const Filtered clean(kColumns, 0);
-  for (std::size_t i = 0; i < clean.clock.count; ++i) {
+  for (int i = 0; i < clean.clock.count; ++i) {
     ASSERT_NEAR(clean.fitted[0][i], clean.plain[0][i], 1e-4) << i;
   }
   const Filtered steps(kColumns, 0, 0.0175);  // most samples repeat the one before

@@ -45,7 +45,7 @@ TEST(OnClock, BringsOtherRatesToTheClock) {
     EXPECT_LE(clock.at(clock.count - 1), time.back() + 1e-9);
     EXPECT_GT(clock.at(clock.count), time.back());
     const auto result = resample(time, values, clock, options);
-    for (std::size_t i = 30; i + 30 < clock.count; ++i) {
+    for (int i = 30; i + 30 < clock.count; ++i) {
       EXPECT_NEAR(result[i], std::cos(kTwoPi * 0.7 * clock.at(i)), 1e-4);
     }
   }

@@ -1,3 +1,4 @@
+#include "core/motion/finding_text.hpp"
 #include "stages/repair/repair_strategy.hpp"
 
 #include <gtest/gtest.h>

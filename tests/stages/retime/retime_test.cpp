@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/config/fields.hpp"
+#include "core/math/limit_report.hpp"
 #include "core/math/quintic.hpp"
 
 namespace morphe::retime {

@@ -17,7 +17,7 @@ WrenchSet on_sphere(const std::vector<Vec3>& ways, double friction, double torsi
   WrenchSet pressing;
   for (const Vec3& way : ways) {
     const Vec3 out = way.normalized();
-    pressing.contacts.push_back(contact_wrench_basis(out, -out, friction, torsion));
+    pressing.contact_bases.push_back(contact_wrench_basis(out, -out, friction, torsion));
   }
   return pressing;
 }
@@ -58,7 +58,7 @@ TEST(WrenchBounds, EpsilonBelowZeroIsTheLeastThatIsLeft) {
 
 TEST(WrenchBounds, EnclosesWhatTwoOppositeFingersBear) {
   WrenchSet pressing = on_sphere(kOpposite, 0.3, 0.1);
-  pressing.individually_bounded = true;
+  pressing.limits_each_force = true;
   const auto towards = [&](const Vec3& down) {
     return least_ratio_bounds(
         pressing, [down](const Vector6& u) { return std::max(0.0, -down.dot(u.head<3>())); });
@@ -72,7 +72,7 @@ TEST(WrenchBounds, EnclosesWhatTwoOppositeFingersBear) {
 
 TEST(WrenchBounds, NothingBearsWhatOneFingerCannot) {
   WrenchSet pressing = on_sphere({Vec3::UnitZ()}, 0.5, 0.1);
-  pressing.individually_bounded = true;
+  pressing.limits_each_force = true;
   const Bounds worst =
       least_ratio_bounds(pressing, [](const Vector6& u) { return u.head<3>().norm(); });
   EXPECT_EQ(worst.lower, 0);
@@ -92,7 +92,7 @@ TEST(WrenchBounds, MeetsTheBoundsOfPipelineClosure) {
       const Vec3 out = random.point(1).normalized();
       const Vec3 normal = (-out + 0.3 * random.point(1)).normalized();
       set.contacts.push_back({0.05 * out, normal});
-      pressing.contacts.push_back(
+      pressing.contact_bases.push_back(
           contact_wrench_basis(0.05 / 0.06 * out, normal, set.friction.mu, 0.002 / 0.06));
     }
     const Bounds epsilon = epsilon_bounds(pressing);
@@ -102,7 +102,7 @@ TEST(WrenchBounds, MeetsTheBoundsOfPipelineClosure) {
     const double wide = std::max(1e-3, other.upper < 0 ? -0.05 * other.upper : 0);
     EXPECT_LE(epsilon.upper, other.upper + wide) << grasp;
     closed += other.force_closure() ? 1 : 0;
-    pressing.individually_bounded = true;
+    pressing.limits_each_force = true;
     const closure::GravityMargin margin = closure::worst_gravity_margin(set, {0.3, Vec3::Zero()});
     const Bounds worst =
         least_ratio_bounds(pressing, [](const Vector6& u) { return u.head<3>().norm(); });

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+
+namespace morphe::collision {
+
+// Distances of shapes.
+
+/// Squared sine of the angle below which two segments count as parallel. Above it, their linear
+/// system loses at most six of sixteen digits. Chosen by hand, not measured.
+inline constexpr double kParallelSquaredSine = 1e-6;
+/// Length of the interval at which the search along a segment ends: a tenth of the error that
+/// capsule_solid() allows.
+inline constexpr double kSegmentResolution_m = 1e-10;
+/// Depth of every point in an invalid mesh: more than any tolerance, so that it always collides.
+inline constexpr double kInvalidMeshDepth_m = 1;
+/// Distance below which two points coincide: rounding of coordinates of some metres.
+inline constexpr double kCoincidence_m = 1e-12;
+/// Accuracy of depths in a mesh. The search ends when no point of the segment can be deeper than
+/// factor * (largest depth found) + tolerance. Chosen by hand, not measured.
+inline constexpr double kMeshDepthFactor = 1.05, kMeshDepthTolerance_m = 1e-5;
+/// Distance from a triangle's edges, relative to its size, below which a ray grazes them and
+/// another direction is tried. Chosen by hand, not measured.
+inline constexpr double kGrazingTolerance = 1e-9;
+inline constexpr int kMaxLeafTriangles = 4;  ///< of a tree of boxes; chosen by hand, not measured
+
+// Mesh files.
+
+inline constexpr std::uintmax_t kMaxMeshFile_bytes = 200'000'000;  ///< read in 11 s and 1.5 GB
+/// Distance within which vertices are merged: far below what a mesh describes, and above rounding
+/// to single precision at 10 m. Chosen by hand, not measured.
+inline constexpr double kWeldTolerance_m = 1e-6;
+inline constexpr double kMaxHoleWidth_m = 0.01;  ///< holes too narrow for a robot's finger
+
+// Pairs and motions.
+
+/// Number of consecutive capsules, mostly neighbours, that share a bounding sphere. Chosen by hand,
+/// not measured; results do not depend on it.
+inline constexpr int kCapsuleGroup = 6;
+/// Maximum depth of bisection of a motion: intervals of 1e-12 of it, whose travel is rounding.
+inline constexpr int kMaxBisectionDepth = 40;
+/// Travel of a pair within an interval below which the interval is not bisected further: far below
+/// the margins of millimetres. Chosen by hand, not measured.
+inline constexpr double kMotionBand_m = 1e-4;
+/// Allowed error of a motion's clearance, as in `verify`.
+inline constexpr double kMotionClearanceError_m = 1e-4;
+/// Travel below which the search for a motion's clearance ends: the accuracy of distances.
+inline constexpr double kMinTravel_m = 1e-9;
+inline constexpr int kTimeBisections = 60;  ///< find a time's parameter to the bits of a double
+/// Smallest radius of FCL's capsules, which must be positive. A capsule that may penetrate deeper
+/// than its radius gets this one, and the object shrinks by the rest of the depth.
+inline constexpr double kFclMinRadius_m = 1e-6;
+
+}  // namespace morphe::collision

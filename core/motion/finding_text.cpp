@@ -1,0 +1,48 @@
+#include "core/motion/finding_text.hpp"
+
+#include <fmt/format.h>
+
+namespace morphe {
+namespace {
+
+std::string subject_of(const Finding& finding) {
+  const bool joint = finding.cause == Cause::joint_limit || finding.cause == Cause::jump;
+  return (joint ? "joint " : "") + finding.subject;
+}
+
+std::string excess_of(const Finding& finding) {
+  const std::string excess = finding.unit == FindingUnit::radian
+                                 ? fmt::format("{:.2f} degrees", finding.excess / kRadPerDegree)
+                                 : fmt::format("{:.1f} mm", kMillimetresPerMetre * finding.excess);
+  switch (finding.cause) {
+    case Cause::joint_limit:
+      return excess + " beyond its limit";
+    case Cause::jump:
+      return excess + " beyond the largest allowed step";
+    case Cause::tracking:
+      return excess + " beyond its tolerance";
+    case Cause::object_collision:
+    case Cause::self_collision:
+    case Cause::table:
+      break;
+  }
+  return excess + (finding.limit < 0 ? " too deep in " : " too close to ") + finding.other_body;
+}
+
+std::string interval_of(const Finding& finding) {
+  const std::string begin = fmt::format("{:.2f}", finding.begin_s);
+  const std::string end = fmt::format("{:.2f}", finding.end_s);
+  return begin == end ? "at " + begin + " s" : begin + "–" + end + " s";
+}
+
+}  // namespace
+
+std::string excess_text(const Finding& finding) {
+  return subject_of(finding) + " " + excess_of(finding);
+}
+
+std::string sentence(const Finding& finding) {
+  return fmt::format("{} is {}, {}", subject_of(finding), excess_of(finding), interval_of(finding));
+}
+
+}  // namespace morphe

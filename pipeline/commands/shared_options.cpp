@@ -1,0 +1,74 @@
+#include "pipeline/commands/shared_options.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "core/files/data_files.hpp"
+#include "stages/import/folders/recording_formats.hpp"
+
+namespace morphe::commands {
+
+CLI::Validator input_file() {
+  return {[](std::string& file) {
+            file = files::resolve_data_file(file).string();
+            return std::string();
+          },
+          ""};
+}
+
+void add_jobs_option(CLI::App& app, int& jobs) {
+  app.add_option("--jobs", jobs, "Number of threads (default: 0, one per core)")
+      ->check(CLI::NonNegativeNumber);
+}
+
+int threads_of(int jobs) {
+  return jobs > 0 ? jobs : std::max<int>(1, std::thread::hardware_concurrency());
+}
+
+void add_row_options(CLI::App& app, RowSelection& choice) {
+  std::string keys = "name";
+  for (const PlanFigure& figure : plan_figures()) keys += fmt::format(", {}", figure.key);
+  app.add_option("--sort", choice.sort_key, "The worst rows first: " + keys)->type_name("KEY");
+  app.add_option("--only", choice.filters,
+                 "Only plans with this status (executable, repaired, approximate, infeasible), "
+                 "reason or name (with * and ?); if repeated, all must match")
+      ->type_name("WHAT")
+      ->allow_extra_args(false);
+}
+
+void add_import_options(CLI::App& app, imports::ImportRequest& request) {
+  add_input_option(app, "--static-trial", request.static_trial,
+                   "Recording of the static trial (default: found among the recordings)");
+  app.add_option("--format", request.format,
+                 "Format of the recordings (default: recognised from their content)")
+      ->check(CLI::IsMember(imports::import_format_names()));
+  add_input_option(app, "--names", request.name_map,
+                   "YAML file that maps the names in the recording to Morphe's names");
+  app.add_option("--axes", request.conventions.axes,
+                 "Axes of the recording that point right, forward and up, such as 'x y z'");
+  app.add_option_function<std::string>(
+         "--forward",
+         [&request](const std::string& source) {
+           request.conventions.forward = *enum_from_name<imports::ForwardSource>(source);
+         },
+         "Forward direction: where the body faces (body, the default), or as recorded (recorded)")
+      ->check(CLI::IsMember({"body", "recorded"}));
+  app.add_option("--unit", request.conventions.unit,
+                 "Unit of lengths: m, cm, mm, in, ft or metres per unit");
+  app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--joint-order", request.conventions.joint_order,
+                 "Order of the hand joints in a clip, such as openpose or mano");
+  app.add_option_function<std::string>(
+         "--hand",
+         [&request](const std::string& hand) {
+           request.hand = enum_from_name<imports::HandSelection>(hand);
+         },
+         "Reaching hand: right, left or both (one demonstration per hand; default: determined from "
+         "the motion)")
+      ->check(CLI::IsMember({"right", "left", "both"}));
+}
+
+}  // namespace morphe::commands

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "pipeline/commands/plan_row.hpp"
+#include "stages/import/import.hpp"
+
+namespace morphe::commands {
+
+// The options that several commands share. The variables that they set must outlive the parsing.
+
+/// Returns a transformation that searches a file to be read also among the shipped files.
+CLI::Validator input_file();
+/// Adds an option with input_file().
+template <class Value>
+CLI::Option* add_input_option(CLI::App& app, const char* name, Value& value, const char* help) {
+  return app.add_option(name, value, help)->transform(input_file());
+}
+
+/// Adds --jobs N; 0 (the default) means one thread per core.
+void add_jobs_option(CLI::App& app, int& jobs);
+/// Returns the number of threads for a value of --jobs.
+int threads_of(int jobs);
+
+/// Adds --sort KEY and --only WHAT, which set `choice` (see check_selection()).
+void add_row_options(CLI::App& app, RowSelection& choice);
+
+/// Adds the options that describe recordings to be read, such as --static-trial and --axes.
+void add_import_options(CLI::App& app, imports::ImportRequest& request);
+
+}  // namespace morphe::commands

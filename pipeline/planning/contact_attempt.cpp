@@ -1,0 +1,145 @@
+#include "pipeline/planning/contact_attempt.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "core/math/seed.hpp"
+#include "pipeline/planning/constants.hpp"
+#include "pipeline/planning/re_solve.hpp"
+#include "pipeline/planning/repair_movement.hpp"
+#include "stages/check/check_path.hpp"
+#include "stages/grasp/close_fingers.hpp"
+#include "stages/grasp/demonstrated_contacts.hpp"
+#include "stages/map/frame_search.hpp"
+#include "stages/map/map_movement.hpp"
+#include "stages/map/re_solve_path.hpp"
+
+namespace morphe::planning {
+namespace {
+
+/// Returns the mapping problem of the attempt's goals, with the contacts' normals for their pads.
+map::MappingProblem problem_of(const ContactContext& context,
+                               const collision::CollisionWorld& world,
+                               const ContactAttempt& attempt) {
+  const Plan& plan = attempt.plan;
+  const robot::Robot& robot = context.planner.robot;
+  map::MappingProblem problem = map::make_mapping_problem(
+      robot, plan.goals, world, context.planner.config.map, plan.movement.phases);
+  for (std::size_t f = 0; f < problem.frames(); ++f) {
+    const Eigen::Matrix3d target_rotation = recorded_pose(context.target, problem.time[f]).linear();
+    std::vector<Vec3>& normals = problem.goals[f].pad_normal;
+    normals.assign(robot.tips.size(), unknown_point());
+    for (const grasp::DesiredContact& contact : attempt.contacts) {
+      if (contact.origin == ContactOrigin::demonstrated)
+        normals[contact.tip] = target_rotation * contact.normal;
+    }
+  }
+  return problem;
+}
+
+/// Sets the goals of pads and closed fingers, and the path from which to optimise: the previous one
+/// plus, times closing_progress(), its difference from a posture in contact at the grasp.
+void aim_hand(const ContactContext& context, const std::vector<std::string>& given_up,
+              ContactAttempt& attempt) {
+  const robot::Robot& robot = context.planner.robot;
+  const PipelineConfig& config = context.planner.config;
+  Goals& goals = attempt.plan.goals;
+  const grasp::HoldInterval hold = grasp::hold_interval(attempt.plan.movement);
+  const std::size_t frame = frame_of_grasp(goals, hold);
+  grasp::set_pad_goals(robot, attempt.contacts, attempt.plan.movement, context.solid(),
+                       config.grasp->preshape_clearance_m, goals);
+  if (frame == goals.frames()) return;
+  JointRows& path = attempt.plan.path.position;
+  const JointVector before = path.row(frame).transpose();
+  map::MappingScratch scratch;
+  const JointVector touching =
+      map::solve_frame(
+          with_clearance_weights(problem_of(context, context.world, attempt), kContactWeights),
+          frame, before, config.map.frame_solver, scratch)
+          .x;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const double progress = grasp::closing_progress(hold, goals.time[f]);
+    if (progress == 0) continue;
+    path.row(f) += progress * (touching - before).transpose();
+  }
+  if (!config.grasp->close_fingers) return;
+  std::vector<std::size_t> tips = grasp::tips_without_goals(robot, goals, hold);
+  std::erase_if(tips, [&](std::size_t tip) {
+    return std::ranges::find(given_up, robot.tips[tip].name) != given_up.end();
+  });
+  grasp::FingerClosures closed =
+      grasp::close_fingers(context.world, goals.time[frame], tips, touching);
+  std::ranges::move(closed.open_reasons, std::back_inserter(attempt.notes));
+  grasp::set_closure_goals(robot, closed.closings, attempt.plan.movement, context.target, path,
+                           goals);
+  for (const grasp::FingerClosure& closing : closed.closings) {
+    attempt.contacts.push_back(closing.contact);
+  }
+}
+
+/// Returns the whole path, optimised locally with kContactWeights. The frames before the preshape
+/// are included, because the wrist begins to turn earlier.
+JointRows settle_path(const ContactContext& context, const ContactAttempt& attempt) {
+  const Plan& plan = attempt.plan;
+  collision::CollisionWorld world = context.world;
+  world.touch_begin_s =
+      std::max(world.touch_begin_s, grasp::hold_interval(plan.movement).begin_s - kTouchLeadTime_s);
+  map::MapOptions options = context.planner.config.map;
+  options.movement_solver.relative_tolerance *= kSettlingToleranceFactor;
+  const map::MappingProblem problem =
+      with_clearance_weights(problem_of(context, world, attempt), kContactWeights);
+  return map::re_solve_between(problem, plan.path, plan.movement.begin_s, plan.movement.end_s,
+                               options)
+      .position;
+}
+
+/// Solves the plan's path again with high weights if it is only nearly free, with kExtraMargin_m at
+/// first. Returns the reason if findings remain without this margin.
+PlanningFailure free_path(const ContactContext& context, const map::MappingProblem& problem,
+                          Plan& plan) {
+  const PipelineConfig& config = context.planner.config;
+  const auto findings_in = [&](const collision::CollisionWorld& world, const JointPath& path) {
+    return check::check_path(world, plan.goals, plan.movement, path, config.check);
+  };
+  const collision::CollisionWorld with_margin = with_extra_margin(context.world);
+  const ReSolveContext re_solving{
+      problem, config.map, [&](const JointPath& path) { return findings_in(with_margin, path); }};
+  plan.remaining_findings = findings_in(with_margin, plan.path);
+  if (plan.remaining_findings.empty()) return {};
+  Outcome<repair::RepairResult> freed =
+      repair::repair_path({repair::only_if_nearly_free(re_solve_strongly(re_solving))},
+                          {plan.path, plan.remaining_findings});
+  plan.path = std::move(freed.value.path);
+  plan.repaired = true;
+  std::ranges::move(freed.value.attempts, std::back_inserter(plan.repair));
+  plan.remaining_findings = findings_in(context.world, plan.path);
+  return plan.remaining_findings.empty() ? PlanningFailure{} : freed.failure;
+}
+
+}  // namespace
+
+std::size_t frame_of_grasp(const Goals& goals, const grasp::HoldInterval& hold) {
+  return std::ranges::lower_bound(goals.time, hold.begin_s) - goals.time.begin();
+}
+
+ContactAttempt try_contacts(const ContactContext& context, const ContactRequest& request,
+                            const Plan& by_tips) {
+  const PlanningInputs& planner = context.planner;
+  ContactAttempt attempt{by_tips, request.contacts, {}, {}};
+  Plan& plan = attempt.plan;
+  grasp::keep_goals_outside(planner.robot, request.kept_outside, plan.movement, context.solid(),
+                            plan.goals);
+  if (!request.contacts.empty()) aim_hand(context, request.given_up, attempt);
+  const map::MappingProblem problem = problem_of(context, context.world, attempt);
+  plan.path.position = settle_path(context, attempt);
+  const JointRows mapped = plan.path.position;
+  attempt.failure = free_path(context, problem, plan);
+  if (attempt.failure) return attempt;
+  plan.mapped = map::evaluate_path(problem, plan.goals, mapped, planner.config.map,
+                                   math::seed_from(context.seed, "contacts"))
+                    .mapped;
+  return attempt;
+}
+
+}  // namespace morphe::planning

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+
+/// Numbers that decide a result and are no options, chosen by hand unless a comment names a reason.
+namespace morphe::map {
+
+/// Postures whose joints all differ by less count as the same local minimum.
+inline constexpr double kSameMinimum_rad = 0.1;
+inline constexpr double kRankingTolerance = 1e-4;  ///< relative, of descents that only rank starts
+/// Evaluations of a quick descent from a start; with 25 (and 5 screening iterations) seed 2 of the
+/// synthetic recordings had 471 frames above the best sequence instead of 267 (commit a13d009b).
+inline constexpr int kMaxQuickEvaluations = 40;
+inline constexpr int kMaxQuickRefinements = 10;   ///< evaluations from each of the best minima
+inline constexpr int kRefinedPerKeptMinimum = 2;  ///< minima refined for each one that is kept
+/// Symmetries that are considered: together at most 2^8 equivalent postures.
+inline constexpr int kMaxFlips = 4, kMaxMultiTurnJoints = 4;
+/// Cosine below which two axes are orthogonal: far above rounding, far below any robot's offsets.
+inline constexpr double kOrthogonalityTolerance = 1e-6;
+/// Random postures at which a symmetry must preserve the objective, and the relative difference.
+inline constexpr int kSymmetryTestPostures = 3;
+inline constexpr double kSymmetryTolerance = 1e-6;
+/// Steps of the grid of a search, powers of two: with goals and objects on it, the shipped
+/// recordings turned by 14 angles get paths that differ by at most 3e-5 rad (commit 78724dc6).
+inline constexpr double kGridStep_m = 0x1p-13, kGridStep_rad = 0x1p-10;
+inline constexpr int kMinFrames = 5;  ///< frames of a mapped movement; third differences need four
+/// Evaluations and relative tolerance of a tracked frame; joining and smoothing need no more.
+inline constexpr int kMaxTrackingEvaluations = 5;
+inline constexpr double kTrackingTolerance = 1e-5;
+/// Equivalent postures of a minimum that are tracked until one is not stopped by a limit.
+inline constexpr std::size_t kMaxEquivalentPostures = 3;
+/// Iterations by which sequences are smoothed to compare their values (kMaxQuickEvaluations).
+inline constexpr int kScreeningIterations = 7;
+/// Number of sequences smoothed until convergence (commit 319cb910); repair changes the others.
+inline constexpr int kFullySmoothedCount = 2;
+/// Factors on the relative tolerance: to compare sequences, and over all frames.
+inline constexpr double kComparisonToleranceFactor = 10, kFineToleranceFactor = 10;
+/// Divisor of the iterations over all frames, which start from the coarse grid; 2 remain at least.
+inline constexpr int kFineIterationsDivisor = 2;
+inline constexpr double kHoldWeight_per_rad2 = 1e6;  ///< holds a frame: exceeds all its terms
+inline constexpr double kReSolvedChange_rad = 1e-4;  ///< above it a frame counts as re-solved
+inline constexpr double kMetTolerance_m = 1e-3;  ///< tip error below which a frame's goal is met
+inline constexpr int kMaxIkSteps = 12;           ///< iterations of damped least squares
+/// Frames are judged in rounds, each twice as dense as the previous one: the middle of an
+/// unreachable interval, at which the error is largest, is likely to prove the rest unreachable.
+inline constexpr int kInitialStride = 16;
+inline constexpr int kStartsDivisor = 8;  ///< of the random starts near an unreachable frame
+inline constexpr double kSameValueTolerance = 1e-4;   ///< relative, of values of one minimum
+inline constexpr int kMinRepeatedMinima = 8;          ///< descents to the least value that suffice
+inline constexpr double kFirstStepsTolerance = 1e-2;  ///< relative, of a descent's first steps
+/// Ratio to the least value above which a descent ends after its first steps (commit 7ffcaff5).
+inline constexpr double kAbandonValueRatio = 2;
+inline constexpr double kNearestErrorTolerance = 1e-6;       ///< relative; errors are only reported
+inline constexpr double kCoincidentHinges_m = 1e-6;          ///< closer hinges count as one
+inline constexpr double kFingerPositionWeight_per_m2 = 1e4;  ///< a centimetre counts as one
+inline constexpr double kFingerLength_m = 0.1;  ///< turns a joint's error [rad] into a tip's [m]
+inline constexpr int kMaxWristJoints = 2;  ///< joints that move the palm of a robot without an arm
+
+}  // namespace morphe::map
