@@ -8,7 +8,7 @@ namespace morphe::closure {
 /// The signed quality epsilon of Ferrari and Canny (1992), min h(u) over |u| = 1, with certified
 /// lower and upper bounds.
 ///
-/// If positive, it is the radius of the largest ball around 0 inside the wrench set: the smallest
+/// A positive value is the radius of the largest ball around 0 inside the wrench set: the smallest
 /// wrench that breaks the grasp, per newton of the force limit. For L1, a negative value is minus
 /// the distance of 0 from the hull: the closure residual, the smallest |wrench| that remains for
 /// normal forces that sum to 1. For L∞ the set contains 0, so epsilon is never negative.

@@ -20,8 +20,8 @@ inline constexpr double kMinDampingRatio = 1e-12, kNoDampingRatio = 1e-6;
 /// A step begins with the last step's damping divided by this: measured, together with the
 /// corrections below, a fifth more frames planned per second (CHANGELOG).
 inline constexpr double kLastDampingDivisor = 30;
-/// If the damped Hessian is indefinite, the damping grows by the largest of these multiples: of
-/// itself, of the least missing damping, and of the last step's damping.
+/// Multiples of the damping itself, of the least missing damping, and of the last step's damping;
+/// the largest of them is the next damping if the damped Hessian is indefinite.
 inline constexpr double kDampingGrowth = 3, kMissingDampingFactor = 2, kLastDampingShare = 0.3;
 inline constexpr int kMaxDampings = 40;                 ///< attempts per step
 inline constexpr int kActiveSetChangesPerVariable = 3;  ///< at most, per step

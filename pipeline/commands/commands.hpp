@@ -10,7 +10,7 @@ class App;
 
 namespace morphe::commands {
 
-/// What a command does after its arguments were parsed; the result is the exit code.
+/// The function that a command runs after its arguments were parsed; it returns the exit code.
 using CommandAction = std::function<int()>;
 
 /// A command of the program.

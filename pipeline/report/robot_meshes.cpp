@@ -128,7 +128,7 @@ FoundMeshes find_meshes(const RobotModel& robot, const fs::path& path) {
   std::multimap<std::string, Visual> visuals;
   for (const fs::path& file : folder.files) {
     if (file.extension() != ".urdf") continue;
-    // Of several URDFs that contain a name, the first is used.
+    // The first of several URDFs that contain a name is used.
     std::multimap<std::string, Visual> file_visuals = visuals_of(file, folder);
     std::erase_if(file_visuals, [&](const auto& entry) { return visuals.contains(entry.first); });
     visuals.merge(file_visuals);

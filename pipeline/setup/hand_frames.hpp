@@ -17,7 +17,7 @@ struct Pad {
   bool tip_beyond_shapes = false;  ///< true if that link is beyond the finger's shapes
 };
 
-/// If the tip in the file is farther than this beyond the end of the shapes, it is the end [m].
+/// Distance beyond the end of the shapes from which the file's tip is replaced by that end [m].
 inline constexpr double kMaxTipBeyondShapes_m = 0.01;
 /// The maximum distance of the pad from the end of a finger [m], half of a human fingertip.
 inline constexpr double kPadSetback_m = 0.008;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMaxObjectDraws = 500;
 constexpr double kMinWidth_m = 0.024, kMaxWidth_m = 0.080;
-/// Of the angle between the thumb's normal and the mean normal of the fingers.
+/// Cosine of the angle between the thumb's normal and the mean normal of the fingers.
 constexpr double kMaxNormalCosine = -0.5;
 /// Distance of the outermost contacts from an edge.
 constexpr double kMinEdgeDistance_m = 0.008, kMaxEdgeDistance_m = 0.030;
