@@ -11,9 +11,7 @@ std::string subject_of(const Finding& finding) {
 }
 
 std::string excess_of(const Finding& finding) {
-  const std::string excess = finding.unit == FindingUnit::radian
-                                 ? fmt::format("{:.2f} degrees", finding.excess / kRadPerDegree)
-                                 : fmt::format("{:.1f} mm", kMillimetresPerMetre * finding.excess);
+  const std::string excess = amount_text(finding.excess, finding.unit);
   switch (finding.cause) {
     case Cause::joint_limit:
       return excess + " beyond its limit";
@@ -36,6 +34,16 @@ std::string interval_of(const Finding& finding) {
 }
 
 }  // namespace
+
+std::string amount_text(double amount, FindingUnit unit) {
+  if (unit == FindingUnit::radian) {
+    const double degrees = amount / kRadPerDegree;
+    return degrees < 0.1 ? fmt::format("{:.2g} degrees", degrees)
+                         : fmt::format("{:.2f} degrees", degrees);
+  }
+  const double mm = kMillimetresPerMetre * amount;
+  return mm < 0.1 ? fmt::format("{:.2g} mm", mm) : fmt::format("{:.1f} mm", mm);
+}
 
 std::string excess_text(const Finding& finding) {
   return subject_of(finding) + " " + excess_of(finding);

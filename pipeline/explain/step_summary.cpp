@@ -105,16 +105,16 @@ std::string finding_lines(const char* step, const std::vector<Finding>& findings
   return text;
 }
 
-std::string change_text(const RepairStep& step) {
+std::string change_text(const RobotModel& robot, const RepairStep& step) {
   if (std::isnan(step.begin_s)) return step.stop_reason.empty() ? "no change" : step.stop_reason;
-  return fmt::format("joints changed by up to {:.3f} rad, {:.2f}–{:.2f} s", step.max_joint_change,
-                     step.begin_s, step.end_s);
+  return fmt::format("joints changed by up to {:.3f} {}, {:.2f}–{:.2f} s", step.max_joint_change,
+                     robot.has_prismatic_joint() ? "rad or m" : "rad", step.begin_s, step.end_s);
 }
 
 /// Returns true for plans of earlier versions, which do not record the repair steps.
 bool lacks_repair_record(const Plan& plan) { return plan.repair.empty() && !plan.findings.empty(); }
 
-std::string repairs(const Plan& plan) {
+std::string repairs(const RobotModel& robot, const Plan& plan) {
   const std::vector<RepairStep>& steps = plan.repair;
   if (lacks_repair_record(plan))
     return line("repair", "not recorded: the file is from an earlier version");
@@ -122,7 +122,7 @@ std::string repairs(const Plan& plan) {
   std::string text;
   for (const RepairStep& step : steps) {
     std::string what =
-        fmt::format("{}{}: {}", step.level > 0 ? "  " : "", step.name, change_text(step));
+        fmt::format("{}{}: {}", step.level > 0 ? "  " : "", step.name, change_text(robot, step));
     if (!std::isnan(step.begin_s)) {
       what += step.finding_count == 0
                   ? ", no problems left"
@@ -176,7 +176,7 @@ std::string step_summary(const RobotModel& robot, const Plan& plan) {
   text += segmentation(plan.movement) + mapping(robot, plan);
   if (plan.mapped.position.rows() == 0) return text;
   text += finding_lines("problems", plan.findings, "none in the mapped path");
-  text += repairs(plan);
+  text += repairs(robot, plan);
   if (!plan.remaining_findings.empty())
     text += finding_lines("remaining", plan.remaining_findings, "");
   return text + timing(plan) + certificate(plan.certificate);

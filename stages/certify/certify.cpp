@@ -7,6 +7,8 @@
 #include "core/collision/continuous_check.hpp"
 #include "core/math/limit_report.hpp"
 #include "core/math/statistics.hpp"
+#include "core/motion/finding_text.hpp"
+#include "core/robot/joint_unit.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"
@@ -23,8 +25,10 @@ std::string limit_violation(const RobotModel& robot, const Trajectory& trajector
                        robot.joint_names[joint], value, sample, trajectory.time[sample]);
   };
   if (!(report.position_margin >= 0)) {
-    return sentence("position", report.margin_sample, report.margin_joint,
-                    fmt::format("{:.3g} rad beyond its limit", -report.position_margin));
+    return sentence(
+        "position", report.margin_sample, report.margin_joint,
+        amount_text(-report.position_margin, robot::joint_unit(robot, report.margin_joint)) +
+            " beyond its limit");
   }
   const auto excess_of = [&](const char* quantity, const math::LimitUse& use) {
     return use.ratio <= 1 ? std::string()

@@ -6,6 +6,7 @@
 
 #include "core/motion/goal_interpolation.hpp"
 #include "core/robot/forward_kinematics.hpp"
+#include "core/robot/joint_unit.hpp"
 #include "core/robot/tree.hpp"
 #include "stages/check/check_collisions.hpp"
 #include "stages/check/finding_rows.hpp"
@@ -17,10 +18,6 @@ constexpr double kLimitTolerance_rad = 1e-9;  ///< rounding of positions clamped
 constexpr double kJumpPeriod_s = 0.01;        ///< time to which jump_threshold refers
 constexpr double kMinJumpRatio = 3;           ///< ratio of a jump to the mean of its neighbours
 
-FindingUnit unit_of(const RobotModel& robot, int joint) {
-  return robot::is_prismatic(robot, joint) ? FindingUnit::metre : FindingUnit::radian;
-}
-
 void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& rows) {
   for (int k = 0; k < std::ssize(path.demonstration_time); ++k) {
     for (int j = 0; j < robot.lower.size(); ++j) {
@@ -31,7 +28,7 @@ void check_limits(const RobotModel& robot, const JointPath& path, FindingRows& r
       rows.add({.cause = Cause::joint_limit,
                 .subject = robot.joint_names[j],
                 .excess = beyond,
-                .unit = unit_of(robot, j),
+                .unit = robot::joint_unit(robot, j),
                 .limit = below > above ? robot.lower[j] : robot.upper[j]},
                k, k);
     }
@@ -98,7 +95,7 @@ void check_jumps(const RobotModel& robot, const JointPath& path, double jump_thr
       rows.add({.cause = Cause::jump,
                 .subject = robot.joint_names[j],
                 .excess = steps[k] - limit,
-                .unit = unit_of(robot, j),
+                .unit = robot::joint_unit(robot, j),
                 .limit = limit},
                k, k + 1);
     }

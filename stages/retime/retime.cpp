@@ -9,6 +9,8 @@
 
 #include "core/math/braking.hpp"
 #include "core/math/quintic.hpp"
+#include "core/motion/finding_text.hpp"
+#include "core/robot/joint_unit.hpp"
 #include "stages/retime/constants.hpp"
 #include "stages/retime/fit_path.hpp"
 #include "stages/retime/time_law.hpp"
@@ -44,8 +46,8 @@ std::string limit_violation(const RobotModel& robot, const JointPath& path) {
       const double q = path.position(i, joint);
       const double beyond = std::max(robot.lower[joint] - q, q - robot.upper[joint]);
       if (!(beyond <= kLimitRounding_rad))
-        return fmt::format("joint {} is {:.3g} rad beyond its limit at path sample {}", name,
-                           beyond, i);
+        return fmt::format("joint {} is {} beyond its limit at path sample {}", name,
+                           amount_text(beyond, robot::joint_unit(robot, joint)), i);
     }
   }
   return "";

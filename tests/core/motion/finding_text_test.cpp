@@ -22,6 +22,12 @@ TEST(Finding, JointsAreSaidInTheirUnit) {
   EXPECT_EQ(sentence(finding), "joint lift is 2.0 mm beyond the largest allowed step, at 1.00 s");
 }
 
+TEST(Finding, SmallAmountsKeepTheirDigits) {
+  EXPECT_EQ(amount_text(3e-6, FindingUnit::metre), "0.003 mm");
+  EXPECT_EQ(amount_text(1e-6, FindingUnit::radian), "5.7e-05 degrees");
+  EXPECT_EQ(amount_text(kInfinity, FindingUnit::radian), "inf degrees");
+}
+
 TEST(Finding, ARadianCountsAtALever) {
   EXPECT_EQ((Finding{0, 0, Cause::tracking, "tip", "", 0.03}.excess_m()), 0.03);
   EXPECT_EQ((Finding{0, 0, Cause::jump, "elbow", "", 0.5, FindingUnit::radian}.excess_m()), 0.05);
