@@ -1,5 +1,5 @@
-#include "core/motion/finding_text.hpp"
 #include "stages/repair/repair_strategy.hpp"
+#include "core/motion/finding_text.hpp"
 
 #include <gtest/gtest.h>
 
