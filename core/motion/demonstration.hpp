@@ -6,6 +6,7 @@
 
 #include "core/motion/geometry.hpp"
 #include "core/motion/movement.hpp"
+#include "core/motion/recording_flag.hpp"
 #include "core/motion/scene.hpp"
 #include "core/motion/side.hpp"
 
@@ -88,8 +89,10 @@ struct Demonstration {
   Streams calibration;                          ///< static trial or calibration pose
   std::optional<SensorOffsets> sensor_offsets;  ///< if absent, sensors are at the joints
   std::vector<SceneObject> objects;
-  std::vector<Label> labels;              ///< ground truth, if the dataset has it
-  std::vector<std::string> import_notes;  ///< on values that were assumed, repaired or omitted
+  std::vector<Label> labels;                 ///< ground truth, if the dataset has it
+  std::vector<RecordingFlag> flags;          ///< doubts about the recording, mended or not
+  std::vector<AcceptedFlag> accepted_flags;  ///< doubts that the user has answered in a manifest
+  std::vector<std::string> import_notes;     ///< on values that were assumed, repaired or omitted
 };
 
 }  // namespace morphe

@@ -13,6 +13,7 @@
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
 #include "core/motion/reason.hpp"
+#include "core/motion/recording_flag.hpp"
 #include "core/motion/repair_step.hpp"
 #include "core/motion/scene.hpp"
 #include "core/motion/side.hpp"
@@ -196,7 +197,8 @@ struct Plan {
   /// True if the trajectory follows the person's movement, but too many goals are out of reach, or
   /// tips too far from their goals, to count as the same task (Tolerances).
   bool approximate = false;
-  std::string detail;  ///< explanation of the reason, a sentence
+  std::string detail;                ///< explanation of the reason, a sentence
+  std::vector<RecordingFlag> flags;  ///< of the recording, as far as they concern the movement
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame

@@ -16,6 +16,7 @@ enum class Reason : std::uint8_t {
   no_shoulder,          ///< the shoulder was never observed
   no_goal,              ///< no fingertip was observed in the grasp
   implausible_arm,      ///< the reconstructed arm is not anatomically possible
+  doubtful_recording,   ///< the recording has a flag that the config refuses
   start_in_collision,   ///< the first sample collides in every posture that was found
   goal_in_collision,    ///< the last sample collides, or at some time every posture does
   unreachable,          ///< at some time no posture reaches the goals, even without obstacles
@@ -31,9 +32,9 @@ enum class Reason : std::uint8_t {
   no_reference_frame,  ///< the reference frame of an object of the scene is missing
 };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 19> names_of(Reason) {
+constexpr std::array<std::string_view, 20> names_of(Reason) {
   // clang-format off
-  return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm",
+  return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm", "doubtful_recording",
           "start_in_collision", "goal_in_collision", "unreachable", "no_path",
           "smoothing_collision", "joint_limit", "jump", "tracking", "invalid_path",
           "duration_too_short", "no_approach", "no_retreat", "no_reference_frame"};

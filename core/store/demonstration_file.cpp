@@ -14,7 +14,7 @@ namespace morphe::store {
 namespace {
 
 constexpr const char* kDemonstrationFormat = "morphe-demonstrations";
-constexpr int kDemonstrationVersion = 2;
+constexpr int kDemonstrationVersion = 3;
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/motion/demonstration.hpp"
+#include "core/store/flag_layout.hpp"
 #include "core/store/layout.hpp"
 #include "core/store/scene_layout.hpp"
 
@@ -95,6 +96,9 @@ void lay_out_demonstration(Io& io, T& demo) {
     in.column("end_s", demo.labels, &Label::end_s, {"s", "", ""});
     in.column("phase", demo.labels, &Label::phase, {});
   });
+  lay_out_flags(io, demo.flags);
+  io.group_if(!demo.accepted_flags.empty(), "accepted_flags",
+              [&](Io& in) { in.column("code", demo.accepted_flags, &AcceptedFlag::code, {}); });
   io.optional_names("import_notes", demo.import_notes);
 }
 

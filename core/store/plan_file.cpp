@@ -15,7 +15,7 @@ namespace morphe::store {
 namespace {
 
 constexpr const char* kPlanFormat = "morphe-plans";
-constexpr int kPlanVersion = 2;
+constexpr int kPlanVersion = 3;
 
 /// Parses a movement's name: "000" -> 0. Throws InputError for any other name.
 int movement_index(const Hdf5Group& demonstration, const std::string& name) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/motion/plan.hpp"
+#include "core/store/flag_layout.hpp"
 #include "core/store/layout.hpp"
 #include "core/store/scene_layout.hpp"
 
@@ -204,6 +205,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.optional_attribute("max_link_penetration", plan.tolerances.max_link_penetration);
   io.optional_attribute("max_unreachable_share", plan.tolerances.max_unreachable_share);
   io.optional_attribute("max_tip_error", plan.tolerances.max_tip_error);
+  lay_out_flags(io, plan.flags);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
     in.column("name", plan.movement.phases, &Phase::kind, {});

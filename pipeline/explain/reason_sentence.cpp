@@ -12,6 +12,7 @@ std::string_view reason_sentence(Reason reason) {
       "The person's shoulder was never seen during the movement.",
       "No fingertip was seen, or the movement has fewer than five frames.",
       "The reconstructed arm exceeds human joint limits.",
+      "The recording has a flag that the config refuses (audit.refuse).",
       "The robot collides at the first sample, in every posture found.",
       "At some time every posture found that reaches the goals collides.",
       "At some time no posture found reaches the goals, with or without obstacles.",

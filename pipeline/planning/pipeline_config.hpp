@@ -13,6 +13,7 @@
 #include "pipeline/planning/parts_options.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/grasp/grasp_options.hpp"
+#include "stages/import/audit/audit_options.hpp"
 #include "stages/map/hand_alignment.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/placement.hpp"
@@ -42,6 +43,7 @@ struct PipelineConfig {
   map::HandOptions hand;
   scene::SceneOptions scene;
   std::uint64_t seed = 1;
+  imports::AuditOptions audit;
   reconstruct::ReconstructOptions reconstruct;
   segment::SegmentOptions segment;
   map::MapOptions map;
@@ -61,6 +63,7 @@ void fields(Fields& f, PipelineConfig& o) {
   f("hand", o.hand);
   f("scene", o.scene);
   f("seed", o.seed);
+  f("audit", o.audit);
   f("reconstruct", o.reconstruct);
   f("segment", o.segment);
   f("map", o.map);

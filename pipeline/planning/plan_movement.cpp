@@ -18,6 +18,7 @@
 #include "stages/certify/grasp.hpp"
 #include "stages/grasp/measure.hpp"
 #include "stages/grasp/quality.hpp"
+#include "stages/import/audit/movement_checks.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/scene/move_target.hpp"
@@ -49,6 +50,13 @@ PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& dem
   }
   setting.failure = reconstruct::check_human_limits(recorded, config.human);
   if (setting.failure) return setting;
+  setting.begun.flags = planner.timed("audit", [&] {
+    return imports::audit_movement({demonstration, recorded, movement}, config.audit);
+  });
+  if (const auto* refused = imports::refused_flag(setting.begun.flags, config.audit)) {
+    setting.failure = {Reason::doubtful_recording, refused->text};
+    return setting;
+  }
   Movement& placed = setting.begun.movement;
   scene::RelocatedMovement relocated = planner.timed("scene", [&] {
     const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);

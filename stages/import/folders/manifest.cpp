@@ -38,6 +38,7 @@ void shared_fields(Fields& f, ManifestEntry& e) {
   f("hand_length", e.hand_length);
   f("hand_breadth", e.hand_breadth);
   f("objects", e.objects);
+  f("accept", e.accept);
 }
 
 template <class Fields>

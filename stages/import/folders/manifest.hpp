@@ -42,6 +42,7 @@ struct ManifestEntry {
   std::vector<Label> labels;  ///< manually annotated phases
   std::vector<MarkerObject> objects;
   std::optional<double> upper_arm, forearm, hand_length, hand_breadth;  ///< [m]
+  std::vector<FlagCode> accept;    ///< flags of the audit that the user has answered
   std::vector<std::string> notes;  ///< assumptions, appended to Demonstration::import_notes
 };
 /// Returns the fields that name a file; those of absent files are "".

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "core/store/consistency.hpp"
+#include "stages/import/audit/audit.hpp"
 #include "stages/import/folders/recording_descriptor.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 #include "stages/import/guess/heading.hpp"
@@ -47,6 +48,26 @@ const RecordingFormat& format_of(const std::string& file, const std::string& nam
                        : fmt::format("{}: format: unknown '{}'; known: {}", file, name, known));
 }
 
+/// Audits a recording. Throws UnresolvedImport for a doubt that the user must answer.
+void question_recording(const ManifestEntry& entry, Demonstration& demonstration) {
+  const Conventions& given = entry.conventions;
+  const std::optional<Doubt> doubt = audit_recording({.file = entry.file,
+                                                      .axes_given = !given.axes.empty(),
+                                                      .unit_given = !given.unit.empty(),
+                                                      .rate_given = given.rate_hz.has_value(),
+                                                      .hand_given = entry.hand.has_value(),
+                                                      .accepted = entry.accept},
+                                                     demonstration);
+  if (!doubt) return;
+  UnresolvedImport question(
+      fmt::format("{}: {}: {}", entry.file, doubt->question->key, doubt->flag.text));
+  question.file = entry.file;
+  question.manifest = entry.manifest;
+  question.proposal.conventions.emplace_back(
+      doubt->question->key, Guess{doubt->question->value, Confidence::sure, doubt->flag.text});
+  throw question;
+}
+
 }  // namespace
 
 const RecordingFormat* recognised_format(const std::filesystem::path& file) {
@@ -73,6 +94,8 @@ Demonstration read_recording(const ManifestEntry& entry) {
     throw InputError(fmt::format("{}: hand: is both, but no point name belongs to the {} hand",
                                  entry.file, name_of(demonstration.hand)));
   }
+  for (const FlagCode code : entry.accept) demonstration.accepted_flags.push_back({code});
+  question_recording(entry, demonstration);
   align_heading(entry.conventions, demonstration);
   for (const MarkerObject& object : entry.objects)
     add_marker_object(entry.file, object, demonstration);

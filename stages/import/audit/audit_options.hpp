@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/motion/recording_flag.hpp"
+
+namespace morphe::imports {
+
+/// Options of the audit (config section `audit`).
+struct AuditOptions {
+  /// Flags that make a movement infeasible (`doubtful_recording`), unless they are mended or
+  /// accepted: by default those that the robot would act upon.
+  std::vector<FlagCode> refuse = {FlagCode::exchanged_digits, FlagCode::spike,
+                                  FlagCode::target_away, FlagCode::missing_goals};
+  double max_missing_goal_share = 0.2;  ///< of the goals in grasp and hold; more is missing_goals
+};
+template <class Fields>
+void fields(Fields& f, AuditOptions& o) {
+  f("refuse", o.refuse);
+  f("max_missing_goal_share", o.max_missing_goal_share);
+}
+/// Returns a sentence about the first invalid option, or "" if all are valid.
+std::string validation_error(const AuditOptions& options);
+
+}  // namespace morphe::imports

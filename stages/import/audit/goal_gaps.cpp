@@ -1,0 +1,10 @@
+#include "stages/import/audit/movement_checks.hpp"
+
+namespace morphe::imports {
+
+std::vector<RecordingFlag> check_goals(const AuditedMovement& /*audited*/,
+                                       const AuditOptions& /*options*/) {
+  return {};
+}
+
+}  // namespace morphe::imports

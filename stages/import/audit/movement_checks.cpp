@@ -1,0 +1,41 @@
+#include "stages/import/audit/movement_checks.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace morphe::imports {
+
+std::string validation_error(const AuditOptions& options) {
+  return options.max_missing_goal_share >= 0 && options.max_missing_goal_share < 1
+             ? ""
+             : "max_missing_goal_share must be at least 0 and less than 1";
+}
+
+std::vector<RecordingFlag> audit_movement(const AuditedMovement& audited,
+                                          const AuditOptions& options) {
+  std::vector<RecordingFlag> flags;
+  std::ranges::copy_if(audited.recording.flags, std::back_inserter(flags),
+                       [&](const RecordingFlag& flag) {
+                         return flag.overlaps(audited.movement.begin_s, audited.movement.end_s);
+                       });
+  for (const auto check : {check_target, check_goals, check_completeness, check_grasp}) {
+    for (RecordingFlag& flag : check(audited, options)) {
+      const std::vector<AcceptedFlag>& accepted = audited.recording.accepted_flags;
+      if (std::ranges::find(accepted, flag.code, &AcceptedFlag::code) != accepted.end())
+        flag.response = FlagResponse::accepted;
+      flags.push_back(std::move(flag));
+    }
+  }
+  return flags;
+}
+
+const RecordingFlag* refused_flag(const std::vector<RecordingFlag>& flags,
+                                  const AuditOptions& options) {
+  const auto refused = std::ranges::find_if(flags, [&](const RecordingFlag& flag) {
+    return flag.response == FlagResponse::flagged &&
+           std::ranges::find(options.refuse, flag.code) != options.refuse.end();
+  });
+  return refused == flags.end() ? nullptr : &*refused;
+}
+
+}  // namespace morphe::imports

@@ -1,0 +1,9 @@
+#include "stages/import/audit/checks.hpp"
+
+namespace morphe::imports {
+
+std::vector<Doubt> check_objects(const Demonstration& /*recording*/, const AuditInput& /*input*/) {
+  return {};
+}
+
+}  // namespace morphe::imports
