@@ -33,7 +33,8 @@ install(FILES ${CMAKE_BINARY_DIR}/MorpheConfig.cmake ${CMAKE_BINARY_DIR}/MorpheC
 install(FILES pipeline/library/morphe.hpp DESTINATION include/morphe)
 install(DIRECTORY core/motion DESTINATION include/morphe/core FILES_MATCHING PATTERN *.hpp
   # functions of Eigen's types, which would have to be shown
-  PATTERN goal_interpolation.hpp EXCLUDE PATTERN bounding_box.hpp EXCLUDE PATTERN find_world_frames.hpp EXCLUDE)
+  PATTERN goal_interpolation.hpp EXCLUDE PATTERN bounding_box.hpp EXCLUDE PATTERN find_world_frames.hpp EXCLUDE
+  PATTERN revisit.hpp EXCLUDE)
 install(FILES core/store/demonstration_file.hpp core/store/plan_file.hpp DESTINATION include/morphe/core/store)
 install(FILES stages/verify/verify.hpp stages/verify/violation.hpp DESTINATION include/morphe/stages/verify)
 # Where core/files/data_files.hpp looks, from bin and from lib.

@@ -204,7 +204,7 @@ def wrong_tables(name, text):
 
 def with_tables():
     """The documents that have tables of keys."""
-    return ["docs/formats.md", *STEPS]
+    return ["docs/formats.md", "docs/audit.md", *STEPS]
 
 
 def wrong_keys():
@@ -219,6 +219,19 @@ def wrong_keys():
             for struct, _ in FIELDS.findall(path.read_text(encoding="utf-8")):
                 if struct not in documented | parts | {"FrameObjective"}:
                     yield f"docs: {struct} ({path.relative_to(ROOT)}) has no table"
+
+
+# --- flags ---------------------------------------------------------------------------------------
+
+
+def wrong_flags(page):
+    """docs/audit.md has one row for each flag of the program, with a meaning and an answer."""
+    names = text_of("core/motion/recording_flag.hpp").split("names_of(FlagCode)")[1].split("};")[0]
+    codes = re.findall(r'"(\w+)"', names)
+    rows = re.findall(r"^\| `(\w+)` \| [^|]+ \| [^|]+ \|$", page, re.M)
+    for code in codes:
+        if rows.count(code) != 1:
+            yield f"docs/audit.md: flag {code} has {rows.count(code)} rows, not 1"
 
 
 # --- folders -------------------------------------------------------------------------------------
@@ -497,6 +510,8 @@ def self_test():
     for shown, printed, same in LINES:
         if same_line(shown, printed) != same:
             yield f"'{shown}' and '{printed}' should {'be' if same else 'not be'} the same"
+    if len(list(wrong_flags(text_of("docs/audit.md").replace("| `spike` |", "| `spikes` |")))) != 1:
+        yield "a flag without a row is not found"
     if not list(wrong_messages("| `no … prints such a thing` | |")):
         yield "a message that nothing prints is not found"
     for exact, shown, printed, wrong in [(True, "tempo 1.26", "tempo 1.27", True), (False, "tempo 1.26", "tempo 1.27", False),
@@ -540,6 +555,7 @@ def main(arguments):
         (ROOT / "docs/design.md").write_text(with_folders(text_of("docs/design.md")), encoding="utf-8")
     found = [*wrong_links(), *wrong_keys(), *wrong_folders(), *wrong_commands(morphe), *wrong_words(morphe)]
     found += wrong_messages(text_of("docs/troubleshooting.md"))
+    found += wrong_flags(text_of("docs/audit.md"))
     if "--still" not in arguments:
         found += wrong_examples(morphe, update)
     print("\n".join(found) or "the documents hold")

@@ -249,7 +249,7 @@ table("tips_elsewhere", _tip)
 # Tolerances and config
 
 for _name in ("required_clearance", "max_penetration", "max_link_penetration", "tracking_tolerance_grasp", "tracking_tolerance",
-              "max_unreachable_share", "max_tip_error"):
+              "max_unreachable_share", "max_tip_error", "max_missing_goal_share", "max_goal_gap_s"):
     def _forge(f, name=_name):
         need(name in f.plan.attrs)
         stored, off = f.plan.attrs[name], min(0.9, 1e-3 * f.size)
@@ -640,10 +640,16 @@ def an_approach_nobody_asked_for(f):
 
 # Contacts and forces of a grasp: `--grasps`
 
+def demonstrated_coordinate(f):
+    """An index into the values of contacts that the person made: those of closed fingers are known to a finger's length."""
+    rows = [k for k, origin in enumerate(f.plan["grasp/contacts/origin"][()]) if text(origin) == "demonstrated"]
+    need(rows)
+    return 3 * int(f.rng.choice(rows)) + int(f.rng.integers(3))
+
 def contact(name, least, vector=False):
     def forge(f):
         need("grasp/contacts" in f.plan)
-        f.add("grasp/contacts/" + name, least)
+        f.add("grasp/contacts/" + name, least, demonstrated_coordinate(f) if name == "desired_point" else None)
     forge.__name__ = f"a_contact_of_another_{name}"
     lie("contacts")(forge)
 

@@ -157,7 +157,7 @@ PLANTED = [
     ("stages/map/planted.cpp", "#include <ompl/base/State.h>"),
     ("pipeline/planning/planted.cpp", "#include <CLI/CLI.hpp>"),
     ("pipeline/planning/planted.cpp", '#include "pipeline/commands/commands.hpp"'),
-    ("pipeline/planning/planted.cpp", '#include "stages/verify/verify.hpp"'),
+    ("pipeline/explain/planted.cpp", '#include "stages/verify/verify.hpp"'),
     ("stages/import/guess/planted.cpp", '#include "stages/import/formats/bvh_file.hpp"'),
     ("stages/import/clips/planted.cpp", '#include "stages/import/import.hpp"'),
     ("stages/repair/repair.cpp", '#include "stages/check/check_path.hpp"'),

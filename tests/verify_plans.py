@@ -318,7 +318,28 @@ def check_certificate(plan, found, report):
         if not good and not (np.isnan(value) and np.isnan(stored[name])):
             report.add("certificate", name, stored[name], value)
 
-def check_status(plan, status, farthest, report):
+def goal_gaps(plan, asked, phases):
+    """The largest share of missing goals in a phase, and the longest time without any goal."""
+    time, followed = plan["goals/time"][()], asked[:, asked.any(axis=0)]
+    names = {"preshape": "reach", "hold": "grasp"}
+
+    def phase_at(t):
+        around = [(name in ("grasp", "hold"), end - begin, name) for name, begin, end in phases if begin <= t <= end]
+        if any(grasping for grasping, _, _ in around):
+            return "grasp"
+        return names.get(min(around, key=lambda row: row[1])[2], min(around, key=lambda row: row[1])[2]) if around else ""
+
+    of_frame = np.array([phase_at(t) for t in time])
+    shares = [1 - followed[of_frame == name].mean() for name in set(of_frame)] if followed.size else [0]
+    seen = asked.any(axis=1)
+    longest = 0
+    for k in np.flatnonzero(~seen) if seen.any() else ():
+        before, after = np.flatnonzero(seen[:k]), np.flatnonzero(seen[k:])
+        begin = time[before[-1]] if len(before) else time[0]
+        longest = max(longest, (time[k + after[0]] if len(after) else time[-1]) - begin)
+    return max(shares), longest
+
+def check_status(plan, status, farthest, phases, report):
     """What is called executable reaches what it allows; files of earlier versions do not say what that is."""
     if "max_unreachable_share" not in plan.attrs:
         return
@@ -328,15 +349,18 @@ def check_status(plan, status, farthest, report):
     out = plan["goals/reachable"][()] == 0
     share = (asked & out).sum() / asked.sum() if asked.any() else 0
     most, tip = plan.attrs["max_unreachable_share"], plan.attrs["max_tip_error"]
-    too_many, far = share > most or share == 1, farthest > tip
+    missing, gap = goal_gaps(plan, asked, phases)
+    kinds = [("max_unreachable_share", share, most, share > most or share == 1), ("max_tip_error", farthest, tip, farthest > tip)]
+    for name, value in (("max_missing_goal_share", missing), ("max_goal_gap_s", gap)):
+        limit = plan.attrs.get(name, np.inf)
+        kinds.append((name, value, limit, value > limit))
+    exceeded = [kind for kind in kinds if kind[3]]
     if status == "approximate":
-        if not too_many and not far:
+        if not exceeded:
             report.add("status", "approximate", share, most)
         return
-    if too_many:
-        report.add("status", "max_unreachable_share", share, most)
-    if far:
-        report.add("status", "max_tip_error", farthest, tip)
+    for name, value, limit, _ in exceeded:
+        report.add("status", name, value, limit)
 
 def check_plan(robot, path, plan):
     report = Report(path)
@@ -344,6 +368,9 @@ def check_plan(robot, path, plan):
     should = status in ("executable", "approximate")
     if should != moves or should != (text(plan.attrs["reason"]) == ""):
         report.add("structure", "trajectory", moves, should)
+    for name, value in plan["certificate"].attrs.items() if not moves else ():
+        if name not in ("repaired", "natural_posture_error", "unchecked_links") and not np.isnan(value):
+            report.add("certificate", name, value, np.nan)
     for name, body in plan["scene"].items() if moves else ():
         corners = (body["vertices"], body["triangles"]) if text(body.attrs["shape"]) == "mesh" else ()
         if any(len(rows) == 0 or not np.isfinite(rows[()]).all() for rows in corners):
@@ -360,7 +387,7 @@ def check_plan(robot, path, plan):
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
     found.update(smoothness_of(robot, plan["goals"], motion))
-    check_status(plan, status, found["tip_error_max"], report)
+    check_status(plan, status, found["tip_error_max"], phases, report)
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     clearance = plan["trajectory/clearance"][()]

@@ -8,6 +8,10 @@
 namespace morphe::collision {
 namespace {
 
+/// Within which a time counts as on the border of the time in which contact is allowed, as in
+/// stages/verify: a sample on the border may be off by the rounding of its time, about 1e-15 s.
+constexpr double kTouchBorder_s = 1e-9;
+
 /// Returns the frame that moves a capsule, or -1 if no joint moves it.
 int moving_frame(const robot::Robot& robot, int capsule) {
   const int frame = robot.capsules[capsule].frame;
@@ -44,8 +48,8 @@ void set_contact_time(const Movement& movement, CollisionWorld& world) {
   }
   const double begin_s = std::isnan(preshape_s) ? grasp_s : preshape_s;
   if (std::isnan(begin_s) || std::isnan(end_s)) return;
-  world.touch_begin_s = begin_s;
-  world.touch_end_s = end_s;
+  world.touch_begin_s = begin_s - kTouchBorder_s;
+  world.touch_end_s = end_s + kTouchBorder_s;
 }
 
 }  // namespace

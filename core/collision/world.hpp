@@ -40,8 +40,9 @@ struct CollisionWorld {
 };
 
 /// Builds the world of a movement. Contact is allowed from the first preshape (or grasp, if there
-/// is no preshape) to the end of the last grasp, hold or transport phase. It is never allowed
-/// without a target in the scene, without preshape and grasp, or without grasp, hold and transport.
+/// is no preshape) to the end of the last grasp, hold or transport phase, with 1 ns on either side
+/// for samples on the borders. It is never allowed without a target in the scene, without preshape
+/// and grasp, or without grasp, hold and transport.
 /// Two capsules form a pair if a joint moves one relative to the other and the robot's
 /// allowed_collision_pairs lack them. Meshes are preprocessed unless they are in `ready`. Throws
 /// std::logic_error if capsule_motion_bounds does not have one row for each capsule.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/motion/interval_text.hpp"
+
 namespace morphe {
 namespace {
 
@@ -27,12 +29,6 @@ std::string excess_of(const Finding& finding) {
   return excess + (finding.limit < 0 ? " too deep in " : " too close to ") + finding.other_body;
 }
 
-std::string interval_of(const Finding& finding) {
-  const std::string begin = fmt::format("{:.2f}", finding.begin_s);
-  const std::string end = fmt::format("{:.2f}", finding.end_s);
-  return begin == end ? "at " + begin + " s" : begin + "–" + end + " s";
-}
-
 }  // namespace
 
 std::string amount_text(double amount, FindingUnit unit) {
@@ -50,7 +46,8 @@ std::string excess_text(const Finding& finding) {
 }
 
 std::string sentence(const Finding& finding) {
-  return fmt::format("{} is {}, {}", subject_of(finding), excess_of(finding), interval_of(finding));
+  return fmt::format("{} is {}, {}", subject_of(finding), excess_of(finding),
+                     interval_text(finding.begin_s, finding.end_s));
 }
 
 }  // namespace morphe

@@ -178,6 +178,9 @@ struct Tolerances {
   /// A plan is approximate if a larger share of its fingertip goals is out of reach, or if a tip is
   /// farther from its goal [m]. The share must be below 1.
   double max_unreachable_share = 0.5, max_tip_error = 0.05;
+  /// A plan is approximate, too, if a larger share of the goals of a phase is missing, or if there
+  /// is no goal of any tip for longer [s] (MissingGoals).
+  double max_missing_goal_share = 0.5, max_goal_gap_s = 0.1;
 };
 
 /// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it only comes

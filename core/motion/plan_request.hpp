@@ -19,6 +19,7 @@ struct PlanRequest {
   double limit_scaling = 1;   ///< factor on the limits of velocity, acceleration and jerk
   /// The last phase that is planned; absent if parts of movements or whole recordings are planned.
   std::optional<PhaseKind> plan_until;
+  std::vector<FlagCode> refused_flags;  ///< with which no movement is planned, unless accepted
   std::string carrier_frame;  ///< frame to which the target is attached, "" if it moves as recorded
 
   /// The posture at which the approach starts and the retreat ends; absent without an approach.

@@ -30,14 +30,15 @@ enum class Reason : std::uint8_t {
   no_approach,
   no_retreat,
   no_reference_frame,  ///< the reference frame of an object of the scene is missing
+  rejected,            ///< verify rejects the trajectory, which is a fault of Morphe
 };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 20> names_of(Reason) {
+constexpr std::array<std::string_view, 21> names_of(Reason) {
   // clang-format off
   return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm", "doubtful_recording",
           "start_in_collision", "goal_in_collision", "unreachable", "no_path",
           "smoothing_collision", "joint_limit", "jump", "tracking", "invalid_path",
-          "duration_too_short", "no_approach", "no_retreat", "no_reference_frame"};
+          "duration_too_short", "no_approach", "no_retreat", "no_reference_frame", "rejected"};
   // clang-format on
 }
 

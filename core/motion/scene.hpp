@@ -35,6 +35,9 @@ struct SceneObject {
   double release_s = kUnknown;  ///< end of the attachment [demonstration time, s]
 };
 
+/// Largest distance between the tips and the object that they took [m].
+inline constexpr double kMaxTipObjectDistance_m = 0.15;
+
 /// The objects around the robot.
 struct Scene {
   std::vector<SceneObject> objects;

@@ -251,11 +251,25 @@ void write_format(const Hdf5Group& root, const std::string& format, int version)
   root.set("version", std::int32_t{version});
 }
 
+namespace {
+
+/// Returns a clause about the use of a file of a known format, "" for another.
+std::string advice_for(const std::string& format) {
+  if (format == "morphe-plans")
+    return ": it is a plans.h5, the result of a run; give the recording or its demonstrations.h5";
+  if (format == "morphe-demonstrations")
+    return ": it has recordings, already imported; give the plans.h5 of a run";
+  return "";
+}
+
+}  // namespace
+
 void check_format(const Hdf5Group& root, const std::string& format, int version) {
   if (!root.has_attribute("format")) root.fail("@format is missing; must be " + format);
   std::string found;
   root.get("format", found);
-  if (found != format) root.fail(fmt::format("is '{}', not '{}'", found, format));
+  if (found != format)
+    root.fail(fmt::format("is '{}', not '{}'{}", found, format, advice_for(found)));
   std::int32_t stored = 0;
   root.get("version", stored);
   if (stored != version)

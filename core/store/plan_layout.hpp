@@ -201,10 +201,13 @@ void lay_out_plan(Io& io, T& plan) {
   io.attribute("tracking_tolerance", plan.tolerances.tracking_tolerance);
   if constexpr (Io::reading) {  // files of earlier versions do not contain these
     plan.tolerances.max_unreachable_share = plan.tolerances.max_tip_error = kUnknown;
+    plan.tolerances.max_missing_goal_share = plan.tolerances.max_goal_gap_s = kUnknown;
   }
   io.optional_attribute("max_link_penetration", plan.tolerances.max_link_penetration);
   io.optional_attribute("max_unreachable_share", plan.tolerances.max_unreachable_share);
   io.optional_attribute("max_tip_error", plan.tolerances.max_tip_error);
+  io.optional_attribute("max_missing_goal_share", plan.tolerances.max_missing_goal_share);
+  io.optional_attribute("max_goal_gap_s", plan.tolerances.max_goal_gap_s);
   lay_out_flags(io, plan.flags);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {

@@ -4,6 +4,9 @@
 
 #include <cctype>
 #include <set>
+#include <vector>
+
+#include "core/motion/flag_text.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -16,10 +19,15 @@ std::string without_numbers(std::string sentence) {
 }  // namespace
 
 void Assumptions::add(const Demonstration& demonstration) {
+  std::vector<std::string> sentences;
+  for (const RecordingFlag& flag : demonstration.flags)
+    sentences.push_back("flag: " + sentence(flag));
+  sentences.insert(sentences.end(), demonstration.import_notes.begin(),
+                   demonstration.import_notes.end());
   std::set<int> counted;
-  for (const std::string& sentence : demonstration.import_notes) {
-    const auto [entry, is_new] = line_of_.emplace(without_numbers(sentence), lines_.size());
-    if (is_new) lines_.push_back({demonstration.name, sentence, 0});
+  for (const std::string& line : sentences) {
+    const auto [entry, is_new] = line_of_.emplace(without_numbers(line), lines_.size());
+    if (is_new) lines_.push_back({demonstration.name, line, 0});
     if (counted.insert(entry->second).second) ++lines_[entry->second].recordings;
   }
 }

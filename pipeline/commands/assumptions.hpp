@@ -8,11 +8,12 @@
 
 namespace morphe::commands {
 
-/// A summary of the import notes of recordings: the properties that importers assumed, repaired or
-/// left out. Notes that differ only in their digits become one line, with the text of the first.
+/// A summary of the flags and import notes of recordings: doubts, and the properties that importers
+/// assumed, repaired or left out. Notes that differ only in their digits become one line, with the
+/// text of the first.
 class Assumptions {
  public:
-  /// Adds the import notes of a recording.
+  /// Adds the flags and import notes of a recording.
   void add(const Demonstration& demonstration);
   /// Returns lines "  NAME: sentence" or, for several recordings, "  NAME and 14 more: sentence".
   std::string text() const;

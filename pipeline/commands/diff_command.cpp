@@ -28,6 +28,8 @@ CommandAction add_diff_arguments(CLI::App& app) {
   app.add_flag("--json", arguments->json, "Print JSON (complete)");
   return [arguments] {
     check_selection(arguments->choice);
+    expect_effect(!arguments->json || !arguments->all, "--all", "with --json, which lists all");
+    expect_printed_rows(arguments->choice, arguments->json, false);
     const PlanDiff diff =
         compare_plans(find_plans_file(arguments->first), find_plans_file(arguments->second));
     fmt::print("{}", arguments->json ? diff_json(diff)

@@ -11,6 +11,7 @@
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/explain/collect_advice.hpp"
 #include "pipeline/explain/step_summary.hpp"
 #include "pipeline/planning/run_config.hpp"
@@ -128,6 +129,7 @@ std::string text_of(const PlanSource& source, const Plan& plan,
 }
 
 int execute(const ExplainArguments& arguments) {
+  expect_effect(arguments.try_advice || arguments.dataset.empty(), "--dataset", "without --try");
   Json all = Json::array();
   int shown = 0;
   for (const fs::path& file : find_plans_files(arguments.file)) {

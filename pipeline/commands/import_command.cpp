@@ -40,7 +40,7 @@ int execute(const imports::ImportRequest& request, const fs::path& out, const fs
                         request, [&](Demonstration&& demonstration) { process(demonstration); })
                   : imports::write_demonstrations(request, out, process);
   fmt::print(stderr, "{}", import_summary_text(imported));
-  if (writes_manifest) manifest.write(imported);
+  if (writes_manifest) manifest.write(manifest.lines(imported));
   if (!clips.empty()) fmt::print("{}", clip_output.text());
   if (!out.empty())
     fmt::print("{}: {}\n", out.string(), count_with_noun(imported.entries.size(), "demonstration"));

@@ -1,6 +1,7 @@
 #include "pipeline/commands/import_question_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -64,10 +65,16 @@ std::string names_file(const imports::UnresolvedImport& question) {
   return name;
 }
 
+/// Returns the proposed value, or a placeholder if the recording does not tell.
+std::string value_of(const std::string& key, const imports::Guess& guess) {
+  if (!guess.value.empty()) return guess.value;
+  return option_of(key) == "--static-trial" ? "FILE" : "VALUE";
+}
+
 std::string proposals_text(const imports::UnresolvedImport& question) {
   std::string text = "proposed:\n";
   for (const auto& [key, guess] : question.proposal.conventions)
-    text += fmt::format("  {} {}: {}, {}\n", option_of(key), quote_for_shell(guess.value),
+    text += fmt::format("  {} {}: {}, {}\n", option_of(key), quote_for_shell(value_of(key, guess)),
                         name_of(guess.confidence), guess.reason);
   if (!question.proposal.names.empty())
     text += fmt::format(
@@ -93,7 +100,7 @@ std::string command_line(const imports::UnresolvedImport& question,
                          std::vector<std::string> arguments) {
   for (const auto& [key, guess] : question.proposal.conventions) {
     arguments = remove_option(std::move(arguments), option_of(key));
-    arguments.insert(arguments.end(), {option_of(key), guess.value});
+    arguments.insert(arguments.end(), {option_of(key), value_of(key, guess)});
   }
   if (!question.proposal.names.empty()) {
     arguments = remove_option(std::move(arguments), "--names");
@@ -108,23 +115,103 @@ std::string manifest_lines(const imports::UnresolvedImport& question) {
   std::string text = fmt::format("add to {}, at the top level or to the entry of the recording:\n",
                                  question.manifest);
   for (const auto& [key, guess] : question.proposal.conventions)
-    text += fmt::format("{}: {}\n", key == "rate" ? "rate_hz" : key, guess.value);
+    text += fmt::format("{}: {}\n", key == "rate" ? "rate_hz" : key, value_of(key, guess));
   if (!question.proposal.names.empty()) text += fmt::format("names: {}\n", names_file(question));
   return text;
+}
+
+/// Returns the options with which an import of this recording would have been called.
+std::vector<std::string> options_of(const imports::UnresolvedImport& question) {
+  const imports::Conventions& given = question.given;
+  std::vector<std::string> options;
+  const auto add = [&](const std::string& option, const std::string& value) {
+    if (!value.empty()) options.insert(options.end(), {option, value});
+  };
+  add("--static-trial", question.static_trial);
+  add("--axes", given.axes);
+  add("--unit", given.unit);
+  add("--rate", given.rate_hz ? fmt::format("{}", *given.rate_hz) : "");
+  add("--joint-order", given.joint_order);
+  if (given.forward != imports::ForwardSource::body)
+    add("--forward", std::string(name_of(given.forward)));
+  if (question.hand) add("--hand", std::string(name_of(*question.hand)));
+  return options;
+}
+
+/// Returns the name of a file to import into that does not exist: "reach.h5".
+std::string output_file(const imports::UnresolvedImport& question) {
+  const std::string stem = std::filesystem::path(question.file).stem().string();
+  std::string name = stem + ".h5";
+  std::error_code ignored;
+  for (int n = 2; std::filesystem::exists(name, ignored); ++n)
+    name = fmt::format("{}_{}.h5", stem, n);
+  return name;
+}
+
+/// Returns the lines to paste.
+std::string paste_text(const imports::UnresolvedImport& question,
+                       const std::vector<std::string>& arguments) {
+  std::string text;
+  if (!question.proposal.names.empty()) {
+    const auto folder = std::filesystem::path(question.manifest).parent_path();
+    text += names_template(question, (folder / names_file(question)).string());
+  }
+  return text +
+         (question.manifest.empty() ? command_line(question, arguments) : manifest_lines(question));
+}
+
+/// Recordings for which the same is to be stated.
+struct SharedQuestion {
+  const imports::UnresolvedImport* first;
+  std::vector<std::string> files;
+};
+
+/// Returns true if one command, or the same lines of a manifest, answer both questions.
+bool have_same_answer(const imports::UnresolvedImport& a, const imports::UnresolvedImport& b) {
+  const auto& first = a.proposal.conventions;
+  const auto& second = b.proposal.conventions;
+  const auto same = [](const auto& x, const auto& y) {
+    return x.first == y.first && x.second.value == y.second.value;
+  };
+  return a.manifest == b.manifest && a.proposal.names.empty() && b.proposal.names.empty() &&
+         std::ranges::equal(first, second, same) && options_of(a) == options_of(b);
+}
+
+std::string shared_question_text(const SharedQuestion& shared) {
+  const imports::UnresolvedImport& question = *shared.first;
+  std::vector<std::string> arguments{"import"};
+  arguments.insert(arguments.end(), shared.files.begin(), shared.files.end());
+  for (const std::string& word : options_of(question)) arguments.push_back(word);
+  arguments.insert(arguments.end(), {"--out", output_file(question)});
+  return fmt::format("for {}\n{}{}", fmt::join(shared.files, ", "), proposals_text(question),
+                     paste_text(question, arguments));
 }
 
 }  // namespace
 
 std::string import_question_text(const imports::UnresolvedImport& question,
                                  const std::vector<std::string>& arguments) {
-  std::string text = question.summary + proposals_text(question);
-  const bool listed = !question.manifest.empty(), named = !question.proposal.names.empty();
-  if (!listed || named) text += "to paste:\n";
-  if (named) {
-    const auto folder = std::filesystem::path(question.manifest).parent_path();
-    text += names_template(question, (folder / names_file(question)).string());
+  const bool lines_only = !question.manifest.empty() && question.proposal.names.empty();
+  return question.summary + proposals_text(question) + (lines_only ? "" : "to paste:\n") +
+         paste_text(question, arguments);
+}
+
+std::string skipped_questions_text(const std::vector<imports::SkippedFile>& skipped) {
+  std::vector<SharedQuestion> questions;
+  for (const imports::SkippedFile& file : skipped) {
+    if (!file.question) continue;
+    const auto same = std::ranges::find_if(questions, [&](const SharedQuestion& other) {
+      return have_same_answer(*other.first, *file.question);
+    });
+    if (same != questions.end()) {
+      same->files.push_back(file.file.string());
+    } else {
+      questions.push_back({file.question.get(), {file.file.string()}});
+    }
   }
-  return text + (listed ? manifest_lines(question) : command_line(question, arguments));
+  std::string text = questions.empty() ? "" : "to import what is asked about, check and paste:\n";
+  for (const SharedQuestion& question : questions) text += shared_question_text(question);
+  return text;
 }
 
 }  // namespace morphe::commands

@@ -15,6 +15,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/hdf5_signature.hpp"
+#include "pipeline/commands/import_question_text.hpp"
 #include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/read_recording.hpp"
 
@@ -114,7 +115,7 @@ std::string import_summary_text(const ImportResult& imported) {
          notes_by_subject_text(
              imported, imports::kMovingStaticTrial,
              "named as a static trial, but the person moves: used as a demonstration") +
-         skipped_text(imported.skipped) +
+         skipped_text(imported.skipped) + skipped_questions_text(imported.skipped) +
          (count_failed(imported) > 0
               ? "morphe inspect FILE shows what such a file contains and what is missing\n"
               : "");
@@ -139,7 +140,7 @@ void GeneratedManifest::expect_replaceable() const {
                   file_.string()));
 }
 
-void GeneratedManifest::write(const ImportResult& imported) const {
+std::string GeneratedManifest::lines(const ImportResult& imported) const {
   std::string body =
       "# The recordings that were found. To change the list, edit this file and use it as the "
       "dataset;\n"
@@ -151,8 +152,11 @@ void GeneratedManifest::write(const ImportResult& imported) const {
         line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, '?');
     body += line + "\n";
   }
-  body += imports::manifest_text(imported.entries, folder);
-  files::write_atomically(file_, hash_line(body) + body);
+  return body + imports::manifest_text(imported.entries, folder);
+}
+
+void GeneratedManifest::write(const std::string& lines) const {
+  files::write_atomically(file_, hash_line(lines) + lines);
 }
 
 }  // namespace morphe::commands

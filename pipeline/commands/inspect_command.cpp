@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "core/motion/count_with_noun.hpp"
@@ -18,37 +19,78 @@ namespace {
 InspectOptions options_of(const std::string& config) {
   if (config.empty()) return {};
   const planning::PipelineConfig options = planning::load_config(config).options;
-  return {options.reconstruct, options.human, options.segment};
+  return {options.reconstruct, options.human, options.segment, options.audit};
 }
 
-bool is_one_recording(const std::filesystem::path& file) {
-  const auto extension = file.extension();
-  return extension != ".h5" && extension != ".yaml" && extension != ".yml" &&
-         !std::filesystem::is_directory(file);
+bool is_one_recording(const std::vector<std::filesystem::path>& paths) {
+  const auto extension = paths.front().extension();
+  return paths.size() == 1 && extension != ".h5" && extension != ".yaml" && extension != ".yml" &&
+         !std::filesystem::is_directory(paths.front());
 }
 
-/// Passes all demonstrations of a demonstrations.h5 to `sink`, or those of recordings, which are
-/// imported. Returns the result of the import, empty for a demonstrations.h5.
-imports::ImportResult for_each_demonstration(const imports::ImportRequest& request,
-                                             const std::function<void(Demonstration&&)>& sink) {
-  const std::filesystem::path& file = request.paths.front();
-  if (std::filesystem::is_directory(file) || !is_demonstrations_file(file))
-    return imports::import_recordings(request, sink);
+using Sink = std::function<void(Demonstration&&)>;
+
+void read_demonstrations(const std::filesystem::path& file, const Sink& sink) {
   store::probe_in_sandbox(file);
   const store::DemonstrationReader reader(file);
   for (std::size_t i = 0; i < reader.size(); ++i) sink(reader.read(i));
-  return {};
+}
+
+/// Passes the demonstrations of each demonstrations.h5 to `sink`, then those of the other paths,
+/// which are imported. Returns the result of the import, empty if there is no other path.
+imports::ImportResult for_each_demonstration(imports::ImportRequest request, const Sink& sink) {
+  const auto is_imported = [](const std::filesystem::path& path) {
+    return std::filesystem::is_directory(path) || !is_demonstrations_file(path);
+  };
+  const auto first_read = std::ranges::stable_partition(request.paths, is_imported);
+  if (first_read.size() == request.paths.size())
+    expect_no_import_options(request, request.paths.front());
+  for (const std::filesystem::path& file : first_read) read_demonstrations(file, sink);
+  request.paths.erase(first_read.begin(), first_read.end());
+  return request.paths.empty() ? imports::ImportResult{}
+                               : imports::import_recordings(request, sink);
+}
+
+struct InspectArguments {
+  std::string config;
+  imports::ImportRequest request;
+  bool json = false, points = false;
+};
+
+int execute(const InspectArguments& arguments) {
+  const InspectOptions options = options_of(arguments.config);
+  const std::vector<std::filesystem::path>& paths = arguments.request.paths;
+  std::vector<Inspection> all;
+  const bool points = arguments.points || is_one_recording(paths);
+  std::size_t demonstrations = 0, movements = 0, usable = 0;
+  const auto show = [&](Demonstration&& demonstration) {
+    Inspection inspection = inspect(demonstration, options);
+    ++demonstrations;
+    movements += inspection.movements.size();
+    usable += inspection.count_usable();
+    if (arguments.json) {
+      all.push_back(std::move(inspection));
+      return;
+    }
+    fmt::print("{}", inspection_text(inspection));
+    if (points) fmt::print("{}", imports::summary_text(inspection.survey));
+  };
+  const imports::ImportResult imported = for_each_demonstration(arguments.request, show);
+  if (arguments.json) {
+    fmt::print("{}\n", inspections_json(all, imported.skipped));
+  } else {
+    fmt::print("{}{}: {}, {}, {} of them usable\n", import_summary_text(imported),
+               paths.size() == 1 ? paths.front().string() : count_with_noun(paths.size(), "path"),
+               count_with_noun(demonstrations, "demonstration"),
+               count_with_noun(movements, "movement"), usable);
+  }
+  return count_failed(imported) > 0 ? 1 : 0;
 }
 
 CommandAction add_inspect_arguments(CLI::App& app) {
-  struct Arguments {
-    std::string file, config;
-    imports::ImportRequest request;
-    bool json = false, points = false;
-  };
-  const auto arguments = std::make_shared<Arguments>();
-  add_input_option(app, "FILE", arguments->file,
-                   "demonstrations.h5, a recording, a folder of recordings or a manifest")
+  const auto arguments = std::make_shared<InspectArguments>();
+  add_input_option(app, "PATH", arguments->request.paths,
+                   "demonstrations.h5, recordings, folders of recordings or manifests")
       ->required();
   add_input_option(app, "--config", arguments->config,
                    "Pipeline config to reconstruct and segment with (default: default values)");
@@ -57,34 +99,7 @@ CommandAction add_inspect_arguments(CLI::App& app) {
                "List markers or joints with the body part assigned to each (always listed for a "
                "single recording)");
   app.add_flag("--json", arguments->json, "Print JSON");
-  return [arguments] {
-    const InspectOptions options = options_of(arguments->config);
-    arguments->request.paths = {arguments->file};
-    std::vector<Inspection> all;
-    const bool points = arguments->points || is_one_recording(arguments->file);
-    std::size_t demonstrations = 0, movements = 0, usable = 0;
-    const imports::ImportResult imported =
-        for_each_demonstration(arguments->request, [&](Demonstration&& demonstration) {
-          Inspection inspection = inspect(demonstration, options);
-          ++demonstrations;
-          movements += inspection.movements.size();
-          usable += inspection.count_usable();
-          if (arguments->json) {
-            all.push_back(std::move(inspection));
-          } else {
-            fmt::print("{}", inspection_text(inspection));
-            if (points) fmt::print("{}", imports::summary_text(inspection.survey));
-          }
-        });
-    if (arguments->json) {
-      fmt::print("{}\n", inspections_json(all, imported.skipped));
-    } else {
-      fmt::print("{}{}: {}, {}, {} of them usable\n", import_summary_text(imported),
-                 arguments->file, count_with_noun(demonstrations, "demonstration"),
-                 count_with_noun(movements, "movement"), usable);
-    }
-    return count_failed(imported) > 0 ? 1 : 0;
-  };
+  return [arguments] { return execute(*arguments); };
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/motion/flag_text.hpp"
+#include "core/store/flags_json.hpp"
 #include "pipeline/commands/inspect_report.hpp"
 
 namespace morphe::commands {
@@ -37,6 +39,7 @@ Json json_of(const MovementReport& report) {
           {"end_s", report.movement.end_s},
           {"phases", phases},
           {"target", report.movement.target},
+          {"flags", store::flags_json(report.flags)},
           {"unusable_reason", report.unusable_reason}};
 }
 
@@ -69,6 +72,7 @@ Json json_of(const Inspection& i) {
           {"duration_s", i.duration_s},
           {"streams", json_list(i.streams)},
           {"movements", json_list(i.movements)},
+          {"flags", store::flags_json(i.flags)},
           {"problems", i.problems},
           {"subject", i.subject},
           {"task", i.task},
@@ -95,6 +99,11 @@ void add_stream(const StreamReport& s, const char* prefix, std::string& text) {
     text += fmt::format("    never valid: {}\n", fmt::join(s.empty_columns, ", "));
 }
 
+void add_flags(const std::vector<RecordingFlag>& flags, const char* indent, std::string& text) {
+  for (const RecordingFlag& flag : flags)
+    text += fmt::format("{}flag: {}\n", indent, sentence(flag));
+}
+
 void add_movement(const MovementReport& report, std::string& text) {
   text +=
       fmt::format("  movement {:.2f} to {:.2f} s:", report.movement.begin_s, report.movement.end_s);
@@ -106,6 +115,7 @@ void add_movement(const MovementReport& report, std::string& text) {
   if (!report.unusable_reason.empty())
     text += fmt::format("; unusable, {}", report.unusable_reason);
   text += "\n";
+  add_flags(report.flags, "    ", text);
 }
 
 }  // namespace
@@ -123,6 +133,7 @@ std::string inspection_text(const Inspection& i) {
     if (share > 0) rebuilt.push_back(fmt::format("{} {:.0f} %", point, 100 * share));
   if (!rebuilt.empty()) text += fmt::format("  reconstructed: {}\n", fmt::join(rebuilt, ", "));
   for (const MovementReport& movement : i.movements) add_movement(movement, text);
+  add_flags(i.flags, "  ", text);
   for (const auto& [kind, sentences] :
        {std::pair("estimated", &i.estimated), std::pair("missing", &i.missing),
         std::pair("import", &i.import_notes), std::pair("problem", &i.problems)})

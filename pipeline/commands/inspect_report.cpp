@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "stages/import/audit/movement_checks.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/reconstruct/mirror.hpp"
 
@@ -91,11 +92,20 @@ Inspection inspect(const Demonstration& demonstration, const InspectOptions& opt
   inspect_reconstruction(motion, result);
   result.residuals = motion.residuals;
   result.estimated = motion.estimated;
-  for (Movement& movement : segment::segment(
-           motion, options.segment, reconstruct::objects_on_side(demonstration, Side::right))) {
+  Demonstration on_right_side = demonstration;
+  on_right_side.objects = reconstruct::objects_on_side(demonstration, Side::right);
+  for (Movement& movement :
+       segment::segment(motion, options.segment, on_right_side.objects, demonstration.task)) {
     std::string unusable = find_unusable_reason(motion, movement, options.human);
-    result.movements.push_back({std::move(movement), std::move(unusable)});
+    const imports::AuditedMovement audited{on_right_side, motion, movement};
+    const std::vector<RecordingFlag> all = imports::audit_movement(audited, options.audit);
+    const RecordingFlag* refused = imports::refused_flag(all, options.audit);
+    if (unusable.empty() && refused)
+      unusable = fmt::format("{}: {}", name_of(Reason::doubtful_recording), refused->text);
+    std::vector<RecordingFlag> own = imports::check_movement(audited, options.audit);
+    result.movements.push_back({std::move(movement), std::move(unusable), std::move(own)});
   }
+  result.flags = demonstration.flags;
   result.import_notes = demonstration.import_notes;
   result.problems = motion.reconstruction_notes;
   if (result.movements.empty()) result.problems.push_back("no movement found");

@@ -8,6 +8,7 @@
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
 #include "core/motion/stream_report.hpp"
+#include "stages/import/audit/audit_options.hpp"
 #include "stages/import/folders/skipped_file.hpp"
 #include "stages/import/guess/recording_summary.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
@@ -18,7 +19,8 @@ namespace morphe::commands {
 /// A movement of a recording and its usability.
 struct MovementReport {
   Movement movement;
-  std::string unusable_reason;  ///< why it cannot be planned, "" if it can
+  std::string unusable_reason;       ///< why it cannot be planned, "" if it can
+  std::vector<RecordingFlag> flags;  ///< found by the audit of the movement, not of the recording
 };
 
 /// The content of a demonstration and the part of it that can be used.
@@ -35,6 +37,7 @@ struct Inspection {
   std::vector<MovementReport> movements;
   std::vector<std::string> estimated;  ///< properties that were estimated instead of recorded
   std::vector<std::string> missing;  ///< properties neither recorded nor estimated, and the effect
+  std::vector<RecordingFlag> flags;  ///< of the whole recording
   std::vector<std::string> import_notes, problems;
 
   /// Returns the number of movements that can be planned.
@@ -46,6 +49,7 @@ struct InspectOptions {
   reconstruct::ReconstructOptions reconstruct;
   reconstruct::HumanOptions human;
   segment::SegmentOptions segment;
+  imports::AuditOptions audit;
 };
 
 /// Reconstructs and segments a demonstration, as `morphe run` does with these options for an arm.

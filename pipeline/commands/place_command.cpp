@@ -41,6 +41,7 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   if (fs::is_directory(file) || !is_demonstrations_file(file)) {
     imports::ImportRequest request;
     request.paths = {file};
+    request.keep_going = true;
     const imports::ImportResult imported = imports::import_recordings(
         request,
         [&](Demonstration&& demonstration) { demonstrations.push_back(std::move(demonstration)); });
@@ -77,6 +78,11 @@ place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t se
   options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
   if (const std::string error = validation_error(options); !error.empty())
     throw InputError("place: " + error);
+  const bool is_any = options.mount == place::MountDirection::any;
+  const bool turns = !options.fixed.rotation;
+  expect_effect(arguments.tilt_deg == 0 || (turns && !is_any), "--tilt",
+                turns ? "with any direction of the base; give --mount" : "with --fix rotation");
+  expect_effect(is_any || turns, "--mount", "with --fix rotation");
   return options;
 }
 

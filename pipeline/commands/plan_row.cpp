@@ -9,6 +9,7 @@
 
 #include "core/motion/arm_estimate.hpp"
 #include "core/motion/finding_text.hpp"
+#include "core/motion/flag_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/scene_remarks.hpp"
 #include "pipeline/commands/text_table.hpp"
@@ -55,6 +56,7 @@ std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
   } else if (!plan.detail.empty()) {
     lines.push_back("note: " + plan.detail);
   }
+  for (const RecordingFlag& flag : plan.flags) lines.push_back("flag: " + sentence(flag));
   if (const std::string reach = reach_line(plan); !reach.empty()) lines.push_back(reach);
   for (const Finding& finding : plan.findings)
     lines.push_back(fmt::format("found: {} ({})", sentence(finding), name_of(finding.cause)));

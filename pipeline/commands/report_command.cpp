@@ -67,6 +67,9 @@ int execute(ReportArguments& arguments) {
   if (arguments.out.empty() && arguments.svg.empty())
     throw InputError("report: needs --out PAGE.html, --svg FOLDER or both");
   report::ReportRequest& request = arguments.request;
+  for (const auto& [given, option] : {std::pair(!request.meshes.empty(), "--meshes"),
+                                      std::pair(!request.physics.empty(), "--simulation")})
+    expect_effect(!given || !arguments.out.empty(), option, "on filmstrips; give --out PAGE.html");
   request.runs = runs_of(arguments.files);
   for (const auto& run : request.runs) files::expect_not_input(arguments.out, run.plans);
   request.jobs = threads_of(0);

@@ -36,7 +36,12 @@ CommandAction add_robot_arguments(CLI::App& app) {
       ->check(CLI::Range(1, 100'000'000));
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments, setup, &app] {
-    if (app.got_subcommand("setup")) return setup();
+    if (app.got_subcommand("setup")) {
+      const bool given = arguments->json || arguments->samples > 0 ||
+                         !(arguments->svg + arguments->urdf + arguments->file).empty();
+      expect_effect(!given, "FILE and the options before setup", "on it; give them after it");
+      return setup();
+    }
     if (arguments->file.empty()) throw InputError("robot: needs FILE or the subcommand setup");
     for (const std::string& out : {arguments->svg, arguments->urdf})
       files::expect_not_input(out, arguments->file);

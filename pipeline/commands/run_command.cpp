@@ -15,10 +15,12 @@
 #include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
 #include "pipeline/commands/robots_table.hpp"
+#include "pipeline/commands/run_dataset_file.hpp"
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/run_config.hpp"
+#include "pipeline/planning/verified_plan.hpp"
 #include "pipeline/report/report.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
@@ -86,62 +88,6 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   return runs;
 }
 
-bool are_all_manifests(const std::vector<fs::path>& named) {
-  return std::ranges::all_of(named, [](const fs::path& path) {
-    return !fs::is_directory(path) && (path.extension() == ".yaml" || path.extension() == ".yml");
-  });
-}
-
-/// The demonstrations.h5 of a run: the given one, or a file in the run's folder with the imported
-/// recordings. This file has a temporary name until the plans are complete, and is removed if they
-/// do not get so far. Then publish() gives it its name and writes a manifest of the recordings.
-class Dataset {
- public:
-  Dataset(imports::ImportRequest request, const fs::path& folder)
-      : file_(request.paths.front()), manifest_(folder / "recordings.yaml") {
-    for (const fs::path& named : request.paths) {
-      key_ += fs::weakly_canonical(named).string() + "\n";
-      if (fs::is_directory(named) || !is_demonstrations_file(named)) continue;
-      if (request.paths.size() > 1)
-        throw InputError(fmt::format("{}: an HDF5 dataset cannot be combined with other datasets",
-                                     named.string()));
-      return;
-    }
-    writes_manifest_ = !are_all_manifests(request.paths);
-    if (writes_manifest_) manifest_.expect_replaceable();
-    final_file_ = folder / "demonstrations.h5";
-    file_ = folder / "demonstrations.h5.new";
-    request.results_folder = folder;
-    Assumptions assumptions;
-    imported_ = imports::write_demonstrations(
-        request, file_,
-        [&](const Demonstration& demonstration) { assumptions.add(demonstration); });
-    fmt::print(stderr, "{}{}", import_summary_text(imported_), assumptions.text());
-  }
-  ~Dataset() {
-    std::error_code ignored;
-    if (!final_file_.empty()) fs::remove(file_, ignored);
-  }
-  Dataset(const Dataset&) = delete;
-  Dataset& operator=(const Dataset&) = delete;
-  const fs::path& file() const { return file_; }
-  const std::string& key() const { return key_; }  ///< the paths, by which a run knows it
-  int failed() const { return count_failed(imported_); }
-  void publish() {
-    if (final_file_.empty()) return;
-    fs::rename(file_, final_file_);
-    file_ = std::exchange(final_file_, {});
-    if (writes_manifest_) manifest_.write(imported_);
-  }
-
- private:
-  fs::path file_, final_file_;
-  std::string key_;
-  GeneratedManifest manifest_;
-  bool writes_manifest_ = false;
-  imports::ImportResult imported_;
-};
-
 /// Prints the summary and, unless --quiet is given, the plans (of more than kMaxPrintedRows only
 /// filtered or sorted ones), the positions of the reference frames, and remarks.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
@@ -185,10 +131,11 @@ int report_stop(const RobotRun& one, int signal) {
 }
 
 /// Plans all demonstrations for one robot and sets its summary. Returns the stopping signal, or 0.
-int plan_all(const RunArguments& arguments, const run::Shard& shard, Dataset& dataset,
+int plan_all(const RunArguments& arguments, const run::Shard& shard, RunDatasetFile& dataset,
              RobotRun& one) {
   const robot::Robot& robot = one.config.loaded.robot;
-  const planning::PlanningInputs planner{one.config.loaded.options, robot};
+  const planning::PlanRequirements requirements = planning::requirements_of(one.config.loaded);
+  const planning::PlanningInputs planner{one.config.loaded.options, robot, nullptr, &requirements};
   run::RunRequest request;
   request.dataset = dataset.file();
   request.plans = one.plans();
@@ -259,23 +206,29 @@ int execute(const RunArguments& arguments) {
   if (!arguments.from.empty() && !arguments.settings.empty())
     throw InputError("--set: cannot be combined with --from");
   check_selection(arguments.choice);
+  expect_printed_rows(arguments.choice, arguments.json, arguments.quiet);
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
   std::vector<RobotRun> runs = runs_of(arguments, software, shard);
   imports::ImportRequest recordings = arguments.recordings;
   recordings.paths = dataset_of(arguments, runs.front().config.loaded);
-  Dataset dataset(std::move(recordings), arguments.out);
+  RunDatasetFile dataset(std::move(recordings), arguments.out, arguments.fresh);
   for (const RobotRun& one : runs) one.folder->expect_own_plans();
   for (RobotRun& one : runs) {
     const int signal = plan_all(arguments, shard, dataset, one);
-    if (signal != 0) return report_stop(one, signal);
+    if (signal == 0) continue;
+    dataset.keep();
+    return report_stop(one, signal);
   }
   print_results(arguments, runs);
   if (arguments.report) write_page(arguments, runs);
   const auto any = [&](int run::BatchSummary::*count) {
     return std::ranges::any_of(runs, [&](const RobotRun& one) { return one.summary.*count > 0; });
   };
-  if (any(&run::BatchSummary::failed)) return 1;
+  const bool any_rejected = std::ranges::any_of(runs, [](const RobotRun& one) {
+    return one.summary.reasons.contains(std::string(name_of(Reason::rejected)));
+  });
+  if (any(&run::BatchSummary::failed) || any_rejected) return 1;
   const bool all_executable =
       !any(&run::BatchSummary::infeasible) && !any(&run::BatchSummary::approximate);
   return arguments.strict && !all_executable ? 1 : 0;

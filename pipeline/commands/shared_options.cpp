@@ -1,11 +1,14 @@
 #include "pipeline/commands/shared_options.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <thread>
 
 #include "core/files/data_files.hpp"
+#include "core/motion/input_error.hpp"
+#include "stages/import/folders/given_options.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 
 namespace morphe::commands {
@@ -38,7 +41,28 @@ void add_row_options(CLI::App& app, RowSelection& choice) {
       ->allow_extra_args(false);
 }
 
+void expect_effect(bool has_effect, const std::string& option, const std::string& reason) {
+  if (!has_effect) throw InputError(fmt::format("{} has no effect {}", option, reason));
+}
+
+void expect_no_import_options(const imports::ImportRequest& request,
+                              const std::filesystem::path& file) {
+  const std::vector<std::string> options = imports::given_options(request);
+  expect_effect(options.empty(), fmt::format("{}", fmt::join(options, ", ")),
+                fmt::format("on {}, whose demonstrations have been imported; give the recordings",
+                            file.string()));
+}
+
+void expect_printed_rows(const RowSelection& choice, bool json, bool quiet) {
+  if (!json && !quiet) return;
+  const std::string reason =
+      fmt::format("with {}, which prints no table", json ? "--json" : "--quiet");
+  expect_effect(choice.sort_key.empty(), "--sort", reason);
+  expect_effect(choice.filters.empty(), "--only", reason);
+}
+
 void add_import_options(CLI::App& app, imports::ImportRequest& request) {
+  request.keep_going = true;
   add_input_option(app, "--static-trial", request.static_trial,
                    "Recording of the static trial (default: found among the recordings)");
   app.add_option("--format", request.format,
@@ -52,6 +76,7 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
          "--forward",
          [&request](const std::string& source) {
            request.conventions.forward = *enum_from_name<imports::ForwardSource>(source);
+           request.forward_given = true;
          },
          "Forward direction: where the body faces (body, the default), or as recorded (recorded)")
       ->check(CLI::IsMember({"body", "recorded"}));

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
 
 #include "pipeline/commands/plan_row.hpp"
 #include "stages/import/import.hpp"
@@ -25,6 +27,15 @@ int threads_of(int jobs);
 /// Adds --sort KEY and --only WHAT, which set `choice` (see check_selection()).
 void add_row_options(CLI::App& app, RowSelection& choice);
 
+/// Throws InputError "OPTION has no effect REASON" unless it has.
+void expect_effect(bool has_effect, const std::string& option, const std::string& reason);
+/// Throws InputError if options of add_row_options() were given with an output without a table.
+void expect_printed_rows(const RowSelection& choice, bool json, bool quiet);
+
+/// Throws InputError if the request has options of add_import_options(), which change nothing in
+/// `file`, a demonstrations.h5.
+void expect_no_import_options(const imports::ImportRequest& request,
+                              const std::filesystem::path& file);
 /// Adds the options that describe recordings to be read, such as --static-trial and --axes.
 void add_import_options(CLI::App& app, imports::ImportRequest& request);
 

@@ -114,6 +114,11 @@ int execute(SimulateArguments& arguments) {
   if (const std::string error = validation_error(arguments.options); !error.empty())
     throw InputError("simulate: --" + error);
   check_selection(arguments.choice);
+  const bool varies = arguments.options.rollouts > 1;
+  for (const auto& [range, option] : {std::pair(&arguments.friction_range, "--friction-range"),
+                                      std::pair(&arguments.mass_range, "--mass-range")})
+    expect_effect(varies || range->empty(), option,
+                  "on the first rollout; give --rollouts 2 or more");
   const store::PlanReader reader(find_plans_file(arguments.plans));
   if (!arguments.servos.empty())
     arguments.options.servos = simulate::read_servos(arguments.servos, reader.robot());

@@ -135,6 +135,16 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
           "whether names of left and right are swapped");
       return relax({"human.max_limit_violation_m=1"},
                    "the reconstructed arm is followed although it exceeds human joint limits");
+    case Reason::doubtful_recording:
+      for (const RecordingFlag& flag : plan.flags) {
+        if (flag.text != plan.detail) continue;
+        const std::string accept = fmt::format(
+            "correct the recording or, if it is right, accept the flag in its manifest: `accept: "
+            "[{}]`",
+            name_of(flag.code));
+        return change(accept.c_str());
+      }
+      return;
     case Reason::no_goal:
       return change(
           "at least one fingertip must be seen during the grasp, and the movement must have at "
@@ -146,10 +156,7 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
       return relax({"retime.mode=fastest", "retime.duration_s=null"},
                    "the shortest duration that the limits allow");
     case Reason::smoothing_collision:
-      advice.push_back({AdviceKind::may_solve,
-                        {"map.clearance.activation_distance=0.015", "repair.extra_clearance=0.01"},
-                        "a path farther from the obstacles leaves room for smoothing"});
-      return;
+      return change("move the base or the obstacles: a path farther from them has been tried");
     case Reason::no_approach:
     case Reason::no_retreat:
       change("choose another home posture (`approach.home`)");
@@ -157,6 +164,8 @@ void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
                    "plans no approach and retreat; the movement itself was planned");
     case Reason::no_reference_frame:
       return change("give the object another `relative_to`, or set `scene.table.height`");
+    case Reason::rejected:
+      return change("report it, with the recording and the config");
     default:
       return;
   }

@@ -25,7 +25,8 @@ std::string_view reason_sentence(Reason reason) {
       "The path cannot be followed in the requested time.",
       "No collision-free path from the home posture to the first sample was found.",
       "No collision-free path from the last sample back to the home posture was found.",
-      "An object of the scene is placed relative to something that does not exist."};
+      "An object of the scene is placed relative to something that does not exist.",
+      "The independent verification rejects the trajectory: a fault of Morphe."};
   return kSentences.at(static_cast<std::size_t>(reason));
 }
 

@@ -9,6 +9,7 @@
 #include "core/motion/arm_estimate.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/finding_text.hpp"
+#include "core/motion/flag_text.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "pipeline/explain/reason_sentence.hpp"
 #include "pipeline/planning/palm_error.hpp"
@@ -105,6 +106,12 @@ std::string finding_lines(const char* step, const std::vector<Finding>& findings
   return text;
 }
 
+std::string flag_lines(const std::vector<RecordingFlag>& flags) {
+  std::string text;
+  for (const RecordingFlag& flag : flags) text += line(text.empty() ? "flags" : "", sentence(flag));
+  return text;
+}
+
 std::string change_text(const RobotModel& robot, const RepairStep& step) {
   if (std::isnan(step.begin_s)) return step.stop_reason.empty() ? "no change" : step.stop_reason;
   return fmt::format("joints changed by up to {:.3f} {}, {:.2f}–{:.2f} s", step.max_joint_change,
@@ -172,6 +179,7 @@ std::string step_summary(const RobotModel& robot, const Plan& plan) {
     text += fmt::format(", {}. {}", name_of(plan.reason), reason_sentence(plan.reason));
   text += "\n";
   if (!plan.detail.empty()) text += line("", plan.detail);
+  text += flag_lines(plan.flags);
   if (plan.reason == Reason::no_movement) return text;
   text += segmentation(plan.movement) + mapping(robot, plan);
   if (plan.mapped.position.rows() == 0) return text;

@@ -2,6 +2,7 @@
 #include "core/files/sha256.hpp"
 #include "pipeline/library/morphe.hpp"
 #include "pipeline/planning/plan_movement.hpp"
+#include "pipeline/planning/verified_plan.hpp"
 
 namespace morphe {
 
@@ -11,7 +12,8 @@ struct Pipeline::State {
       : config(planning::load_config(files::resolve_data_file(file), settings, terms)) {}
 
   planning::LoadedConfig config;
-  planning::PlanningInputs planner{config.options, config.robot};
+  planning::PlanRequirements requirements = planning::requirements_of(config);
+  planning::PlanningInputs planner{config.options, config.robot, nullptr, &requirements};
 };
 
 Pipeline::Pipeline(const std::filesystem::path& config, const std::vector<std::string>& settings,

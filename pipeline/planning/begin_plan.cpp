@@ -21,6 +21,8 @@ Plan fail(Plan plan, PlanningFailure failure) {
   plan.detail = std::move(failure.detail);
   plan.approximate = false;
   plan.trajectory = plan.approach = plan.retreat = {};
+  plan.grasp = {};
+  plan.certificate = {};
   return plan;
 }
 

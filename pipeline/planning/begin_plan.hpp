@@ -10,7 +10,8 @@ namespace morphe::planning {
 Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
                 const Tolerances& tolerances);
 
-/// Returns the plan as a failed one: with the reason, without trajectory, approach and retreat.
+/// Returns the plan as a failed one: with the reason, without trajectory, approach and retreat, and
+/// without the grasp and the certificate of the trajectory.
 Plan fail(Plan plan, PlanningFailure failure);
 
 }  // namespace morphe::planning

@@ -10,6 +10,10 @@ namespace morphe::planning {
 /// path is smoothed afterwards, and certified to 0.01 mm.
 inline constexpr double kExtraMargin_m = 2e-4;
 
+/// Distances of the second attempt for a movement whose path is free, but whose smooth curve is not
+/// (plan_movement.cpp): three and two times the defaults of the config's map.clearance and repair.
+inline constexpr double kFartherActivationDistance_m = 0.015, kFartherExtraClearance_m = 0.01;
+
 /// Factors with which tips and clearance alone determine the result, to a tenth of a millimetre.
 inline constexpr ClearanceWeights kStrongestWeights{30000, 0.2, 30};
 

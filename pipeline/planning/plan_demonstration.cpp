@@ -10,6 +10,7 @@
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/plan_parts.hpp"
 #include "pipeline/planning/plan_sentences.hpp"
+#include "pipeline/planning/verified_plan.hpp"
 #include "stages/reconstruct/hand_frame.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/reconstruct/mirror.hpp"
@@ -28,7 +29,8 @@ Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
   result.on_robot_side = demonstration;
   result.on_robot_side.objects = reconstruct::objects_on_side(demonstration, Side::right);
   result.movements = planner.timed("segment", [&] {
-    return segment::segment(result.motion, config.segment, result.on_robot_side.objects);
+    return segment::segment(result.motion, config.segment, result.on_robot_side.objects,
+                            demonstration.task);
   });
   if (planner.robot.side == Side::left) {
     result.motion = reconstruct::mirror_image(std::move(result.motion));
@@ -65,6 +67,7 @@ run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planning_inpu
     } else {
       plans[k].push_back(plan_movement(planner, on_robot_side, motion, movements[k]));
     }
+    for (Plan& plan : plans[k]) plan = verified(planner, std::move(plan));
   });
   for (std::vector<Plan>& parts : plans) {
     for (Plan& part : parts) {

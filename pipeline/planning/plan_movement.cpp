@@ -8,6 +8,7 @@
 #include "core/math/seed.hpp"
 #include "pipeline/planning/approach.hpp"
 #include "pipeline/planning/begin_plan.hpp"
+#include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contacts.hpp"
 #include "pipeline/planning/place_movement.hpp"
 #include "pipeline/planning/plan_sentences.hpp"
@@ -20,6 +21,7 @@
 #include "stages/grasp/quality.hpp"
 #include "stages/import/audit/movement_checks.hpp"
 #include "stages/map/map_movement.hpp"
+#include "stages/map/placement.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/scene/move_target.hpp"
 
@@ -29,49 +31,18 @@ namespace {
 /// A movement with its motion, its scene and the offset of the base, before the robot is placed.
 struct PreparedMovement {
   Plan begun;               ///< identifies the movement
-  PlanningFailure failure;  ///< set if the movement cannot be planned
+  PlanningFailure failure;  ///< set if the robot cannot be placed
+  PlanningFailure refusal;  ///< set if it can, but its goals should not be followed
   HumanMotion motion;
   Scene around;                ///< in the frame of `motion`
   Vec3 offset = Vec3::Zero();  ///< of the base from its placement [m]
   std::uint64_t seed = 0;
 };
 
-PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& demonstration,
-                         const HumanMotion& recorded, const Movement& movement,
-                         const std::optional<Vec3>& known_offset) {
-  const PipelineConfig& config = planner.config;
-  PreparedMovement setting;
-  setting.begun = begin_plan(demonstration, movement, config.check.tolerances);
-  setting.seed =
-      math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
-  if (!map::is_hand_only(planner.robot) && !is_known(map::shoulder_at_begin(recorded, movement))) {
-    setting.failure = {Reason::no_shoulder, "the shoulder was never seen"};
-    return setting;
-  }
-  setting.failure = reconstruct::check_human_limits(recorded, config.human);
-  if (setting.failure) return setting;
-  setting.begun.flags = planner.timed("audit", [&] {
-    return imports::audit_movement({demonstration, recorded, movement}, config.audit);
-  });
-  if (const auto* refused = imports::refused_flag(setting.begun.flags, config.audit)) {
-    setting.failure = {Reason::doubtful_recording, refused->text};
-    return setting;
-  }
-  Movement& placed = setting.begun.movement;
-  scene::RelocatedMovement relocated = planner.timed("scene", [&] {
-    const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);
-    return scene::move_target(config.scene, recorded, placed, as_recorded);
-  });
-  setting.motion = std::move(relocated.motion);
-  setting.around = std::move(relocated.scene);
-  setting.offset = known_offset.value_or(Vec3::Zero());
-  if (config.map.base_offset.limit_m > 0 && !known_offset) {
-    setting.offset = planner.timed("map", [&] {
-      return choose_offset(planner, setting.motion, placed, setting.around,
-                           math::seed_from(setting.seed, "offset"));
-    });
-  }
-  return setting;
+/// Returns the names of recorded objects that are the person's other arm, not a target.
+std::vector<std::string> obstacle_names(const scene::SceneOptions& options) {
+  if (!options.other_arm) return {};
+  return {scene::kOtherArmNames.begin(), scene::kOtherArmNames.end()};
 }
 
 /// Returns true if a fingertip has a goal in a frame of grasp or hold, or no frame is in them.
@@ -87,7 +58,49 @@ bool has_grasp_goal(const Goals& goals, const Movement& movement) {
   return !grasp_seen;
 }
 
-/// Sets the plan's trajectory, certificate, reason and detail. If smoothing makes the path collide
+PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& demonstration,
+                         const HumanMotion& recorded, const Movement& movement,
+                         const std::optional<Vec3>& known_offset) {
+  const PipelineConfig& config = planner.config;
+  PreparedMovement setting;
+  setting.begun = begin_plan(demonstration, movement, config.check.tolerances);
+  setting.seed =
+      math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
+  if (!map::is_hand_only(planner.robot) && !is_known(map::shoulder_at_begin(recorded, movement))) {
+    setting.failure = {Reason::no_shoulder, "the shoulder was never seen"};
+    return setting;
+  }
+  setting.failure = reconstruct::check_human_limits(recorded, config.human);
+  if (setting.failure) return setting;
+  const Goals goals = map::make_goals(planner.robot, recorded, movement, Pose::Identity());
+  setting.begun.flags = planner.timed("audit", [&] {
+    return imports::audit_movement({demonstration, recorded, movement, goals,
+                                    config.scene.target.name, obstacle_names(config.scene)},
+                                   config.audit);
+  });
+  if (!has_grasp_goal(goals, movement)) {
+    setting.refusal = {Reason::no_goal, "no fingertip was seen in the grasp"};
+  } else if (const auto* refused = imports::refused_flag(setting.begun.flags, config.audit)) {
+    setting.refusal = {Reason::doubtful_recording, refused->text};
+  }
+  Movement& placed = setting.begun.movement;
+  scene::RelocatedMovement relocated = planner.timed("scene", [&] {
+    const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);
+    return scene::move_target(config.scene, recorded, placed, as_recorded);
+  });
+  setting.motion = std::move(relocated.motion);
+  setting.around = std::move(relocated.scene);
+  setting.offset = known_offset.value_or(Vec3::Zero());
+  if (config.map.base_offset.limit_m > 0 && !known_offset && !setting.refusal) {
+    setting.offset = planner.timed("map", [&] {
+      return choose_offset(planner, setting.motion, placed, setting.around,
+                           math::seed_from(setting.seed, "offset"));
+    });
+  }
+  return setting;
+}
+
+/// Sets the plan's trajectory and certificate, or fails it. If smoothing makes the path collide
 /// or moves tips too far from their goals, a second attempt is made without it.
 void retime_and_certify(const PlanningInputs& planner, const collision::CollisionWorld& world,
                         Plan& plan) {
@@ -105,9 +118,8 @@ void retime_and_certify(const PlanningInputs& planner, const collision::Collisio
   };
   const PlanningFailure failure = retry_without_smoothing(
       planner.config.retime, {Reason::smoothing_collision, Reason::tracking}, attempt);
-  plan.reason = failure.reason;
-  plan.detail = failure.detail;
-  if (failure) plan.trajectory = {};
+  plan.reason = Reason::none;
+  if (failure) plan = fail(std::move(plan), failure);
 }
 
 /// Adds approach, grasp and warnings to an executable plan; fails it if there is no approach.
@@ -116,7 +128,7 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
                             Plan& plan) {
   const PipelineConfig& config = planner.config;
   const std::string approximate_reason =
-      certify::approximate_reason(plan.goals, plan.tolerances, plan.certificate);
+      certify::approximate_reason(plan.goals, plan.movement, plan.tolerances, plan.certificate);
   plan.approximate = !approximate_reason.empty();
   if (config.approach) {
     const PlanningFailure refused = planner.timed(
@@ -194,11 +206,10 @@ Plan plan_with_contacts(const PlanningInputs& planner, const PreparedMovement& s
   return std::move(outside.value);
 }
 
-}  // namespace
-
-Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement,
-                   const std::optional<Vec3>& known_offset) {
+/// Plans a movement with the distances from obstacles that the config states.
+Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demonstration,
+                        const HumanMotion& recorded, const Movement& movement,
+                        const std::optional<Vec3>& known_offset) {
   const PipelineConfig& config = planner.config;
   const PreparedMovement setting =
       prepare(planner, demonstration, recorded, movement, known_offset);
@@ -210,9 +221,7 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
   plan.goals = placed.goals;
   if (!placed.missing_support.empty())
     return fail(std::move(plan), {Reason::no_reference_frame, placed.missing_support});
-  if (!has_grasp_goal(plan.goals, plan.movement)) {
-    return fail(std::move(plan), {Reason::no_goal, "no fingertip was seen in the grasp"});
-  }
+  if (setting.refusal) return fail(std::move(plan), setting.refusal);
   collision::CollisionWorld world = collision::make_world(planner.robot, plan.scene, plan.movement,
                                                           plan.tolerances, config.scene.meshes);
   Outcome<map::MapResult> mapping = planner.timed("map", [&] {
@@ -244,6 +253,38 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
   if (failure) return fail(std::move(plan), failure);
   complete_plan(planner, setting, {}, world, plan);
   return plan;
+}
+
+/// Returns the config with paths farther from obstacles, which leaves room for smoothing.
+PipelineConfig farther_from_obstacles(PipelineConfig config) {
+  double& activation_m = config.map.clearance.activation_distance_m;
+  double& extra_m = config.repair.extra_clearance;
+  activation_m = std::max(activation_m, kFartherActivationDistance_m);
+  extra_m = std::max(extra_m, kFartherExtraClearance_m);
+  return config;
+}
+
+}  // namespace
+
+Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement,
+                   const std::optional<Vec3>& known_offset) {
+  Plan plan = plan_as_configured(planner, demonstration, recorded, movement, known_offset);
+  if (plan.reason != Reason::smoothing_collision) return plan;
+  const PipelineConfig config = farther_from_obstacles(planner.config);
+  const PlanningInputs farther{config, planner.robot, planner.clock, planner.requirements};
+  Plan second = plan_as_configured(farther, demonstration, recorded, movement, known_offset);
+  if (!second.has_trajectory()) {
+    plan.detail += "; a path farther from the obstacles has been tried";
+    return plan;
+  }
+  const std::string note = fmt::format(
+      "planned with map.clearance.activation_distance={} and repair.extra_clearance={}, because "
+      "the "
+      "smooth curve of the path collided ({})",
+      config.map.clearance.activation_distance_m, config.repair.extra_clearance, plan.detail);
+  second.detail += (second.detail.empty() ? "" : "; ") + note;
+  return second;
 }
 
 }  // namespace morphe::planning

@@ -8,7 +8,9 @@
 
 namespace morphe::planning {
 
-/// Plans one movement with all stages. The plan of an infeasible movement contains the reason.
+/// Plans one movement with all stages. The plan of an infeasible movement contains the reason. If
+/// the smooth curve of a free path collides, the movement is planned again, farther from obstacles,
+/// and the detail says so.
 /// `demonstration` and `recorded` are those of a Reconstruction. `known_offset` is the base's
 /// offset from its placement [m]; without it, the offset is chosen according to `map.base_offset`.
 Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
@@ -27,8 +29,8 @@ struct Reconstruction {
 Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
                                          const Demonstration& demonstration);
 
-/// Reconstructs a demonstration and plans each of its movements. A demonstration without movements
-/// results in one plan with the reason "no_movement".
+/// Reconstructs a demonstration, plans each of its movements and verifies the plans. A
+/// demonstration without movements results in one plan with the reason "no_movement".
 run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
                                              const Demonstration& demonstration);
 

@@ -101,6 +101,7 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   }
   request.config_sha256 = files::sha256(header.config);
   request.tolerances = tolerances_of(config);
+  request.refused_flags = config.audit.refuse;
   request.goal_step_s = 1 / config.reconstruct.rate_hz;
   request.limit_scaling = config.retime.limit_scaling;
   if (!config.split && !config.segment.whole_recording)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/motion/flag_text.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "core/store/json_layout.hpp"
 #include "core/store/plan_layout.hpp"
@@ -58,6 +59,8 @@ Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path
     row["tolerances"]["max_link_penetration"] = *plan.tolerances.max_link_penetration;
   row["estimated"] = plan.goals.estimated;
   row["unchecked_links"] = robot.unchecked_links;
+  row["flags"] = Json::array();
+  for (const RecordingFlag& flag : plan.flags) row["flags"].push_back(sentence(flag));
   row["mirrored"] = plan.hand != robot.side;
   return row;
 }

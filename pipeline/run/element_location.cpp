@@ -79,7 +79,7 @@ std::string unit_of_attribute(const std::string& name) {
                                                             "tip_error_grasp"};
   if (std::ranges::find(kMetres, name) != kMetres.end()) return "m";
   if (name == "humanlikeness_mapped" || name == "humanlikeness_final") return "m^2";
-  if (name == "begin_s" || name == "end_s") return "s";
+  if (name == "begin_s" || name == "end_s" || name == "max_goal_gap_s") return "s";
   return name == "joint_limit_margin" || name.find("_error") != std::string::npos ? "rad" : "";
 }
 

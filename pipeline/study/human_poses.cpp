@@ -34,7 +34,8 @@ std::vector<HumanPoses> arm_poses(const std::filesystem::path& manifest,
   std::vector<HumanPoses> all;
   for_each_motion(manifest, [&](const Demonstration& demonstration, const HumanMotion& motion) {
     for (const Movement& movement :
-         segment::segment(motion, {}, reconstruct::objects_on_side(demonstration, Side::right))) {
+         segment::segment(motion, {}, reconstruct::objects_on_side(demonstration, Side::right),
+                          demonstration.task)) {
       HumanPoses poses;
       const std::ptrdiff_t every = stride(motion.time, step_s);
       for (std::ptrdiff_t i = 0; i < std::ssize(motion.time); i += every) {

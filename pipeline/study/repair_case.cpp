@@ -26,8 +26,8 @@ RecordedMovement recorded_movement(const RepairStudy& study, const planning::Pip
       synthesize::synthesize(study.synthetic, study.options.seed, index).recorded, {}, {}};
   recorded.motion =
       reconstruct::reconstruct(recorded.demonstration, config.reconstruct, config.human);
-  const std::vector<Movement> movements =
-      segment::segment(recorded.motion, config.segment, recorded.demonstration.objects);
+  const std::vector<Movement> movements = segment::segment(
+      recorded.motion, config.segment, recorded.demonstration.objects, recorded.demonstration.task);
   if (!movements.empty()) recorded.movement = movements.front();
   return recorded;
 }

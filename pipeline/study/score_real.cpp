@@ -69,7 +69,8 @@ void score_real(const ScoreOptions& options, const RealSet& set, const StudyRun&
       reconstruct_s += measure_seconds([&] {
         motion = reconstruct::reconstruct(demonstration, options.reconstruct, options.human);
         movements = segment::segment(motion, options.segment,
-                                     reconstruct::objects_on_side(demonstration, Side::right));
+                                     reconstruct::objects_on_side(demonstration, Side::right),
+                                     demonstration.task);
       });
       const Case condition = {{"set", set.name}, {"recording", demonstration.name}};
       for (const StreamReport& stream : report_streams(demonstration.streams)) {

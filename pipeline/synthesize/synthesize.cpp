@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/human/calibration.hpp"
@@ -73,6 +74,13 @@ Streams recorded_streams(const SynthesizeOptions& options, const Script& script,
   return streams;
 }
 
+/// Returns the task that a manifest would state; of several kinds of movements it says neither.
+std::string task_of(const Script& script) {
+  const auto grasping = std::ranges::count(script.movements, true, &ScriptedMovement::grasps);
+  if (grasping == std::ssize(script.movements)) return "reach to grasp";
+  return grasping == 0 ? "reach" : "several movements";
+}
+
 std::string kinds_report(const Script& script) {
   std::string kinds;
   for (const ScriptedMovement& movement : script.movements)
@@ -104,7 +112,7 @@ SyntheticRecording synthesize(const SynthesizeOptions& options, std::uint64_t se
   Demonstration& truth = recording.truth;
   truth.name = "synthetic_" + number;
   truth.subject = "subject_" + number;
-  truth.task = "reach to grasp";
+  truth.task = task_of(script);
   truth.source = fmt::format("synthetic, seed {}", seed);
   truth.hand_length = subject.body.hand.length;
   truth.hand_breadth = subject.body.hand.breadth;

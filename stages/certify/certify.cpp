@@ -17,6 +17,9 @@ namespace morphe::certify {
 namespace {
 
 constexpr double kClearanceResolution_m = 1e-5;  ///< of the clearance over the whole motion
+/// Travel down to which a motion is bisected that the usual kMotionBand_m leaves undecided; it must
+/// be above the 1e-5 m of stages/verify, which has to prove the same.
+constexpr double kFineBand_m = 2e-5;
 
 std::string limit_violation(const RobotModel& robot, const Trajectory& trajectory,
                             const math::LimitReport& report) {
@@ -49,7 +52,9 @@ double nan_if_infinite(double clearance) { return std::isinf(clearance) ? kUnkno
 std::string collision_violation(const collision::CollisionWorld& world,
                                 const collision::JointMotion& motion, const Trajectory& trajectory,
                                 collision::CollisionScratch& scratch) {
-  const collision::MotionCheck found = collision::check_motion(world, motion, scratch);
+  collision::MotionCheck found = collision::check_motion(world, motion, scratch);
+  if (found.verdict == collision::MotionVerdict::undecided)
+    found = collision::check_motion(world, motion, scratch, kFineBand_m);
   if (found.verdict == collision::MotionVerdict::free) return "";
   return fmt::format(
       "{} and {} are {:.2f} mm apart at {:.3f} s (sample {}), {} than the {:.2f} mm required",

@@ -118,6 +118,9 @@ std::string validation_error(const CheckOptions& options) {
   if (!(t.max_unreachable_share >= 0 && t.max_unreachable_share < 1))
     return "max_unreachable_share must be at least 0 and below 1";
   if (!(t.max_tip_error > 0)) return "max_tip_error must be positive";
+  if (!(t.max_missing_goal_share >= 0 && t.max_missing_goal_share <= 1))
+    return "max_missing_goal_share must be at least 0 and at most 1";
+  if (!(t.max_goal_gap_s >= 0)) return "max_goal_gap_s must not be negative";
   if (!(options.jump_threshold > 0)) return "jump_threshold must be positive";
   return "";
 }

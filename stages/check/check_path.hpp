@@ -30,6 +30,8 @@ void fields(Fields& f, CheckOptions& o) {
   f("tracking_tolerance", o.tolerances.tracking_tolerance);
   f("max_unreachable_share", o.tolerances.max_unreachable_share);
   f("max_tip_error", o.tolerances.max_tip_error);
+  f("max_missing_goal_share", o.tolerances.max_missing_goal_share);
+  f("max_goal_gap_s", o.tolerances.max_goal_gap_s);
   f("engine", o.engine);
   f("jump_threshold", o.jump_threshold);
 }

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/store/flags_json.hpp"
+
 namespace morphe::exports {
 namespace {
 
@@ -58,11 +60,9 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
   for (const IndexedPlan& plan : index.plans) {
     Json motions = Json::array();
     for (const IndexedMotion& motion : plan.motions) motions.push_back(motion_json(motion, index));
-    Json entry = {{"plan", plan.plan},
-                  {"status", name_of(plan.status)},
-                  {"subject", plan.subject},
-                  {"task", plan.task},
-                  {"motions", motions}};
+    Json entry = {
+        {"plan", plan.plan}, {"status", name_of(plan.status)},         {"subject", plan.subject},
+        {"task", plan.task}, {"flags", store::flags_json(plan.flags)}, {"motions", motions}};
     if (!plan.grasp_files.empty()) entry["grasp"] = plan.grasp_files;
     json["plans"].push_back(entry);
   }

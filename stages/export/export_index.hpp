@@ -25,6 +25,7 @@ struct IndexedPlan {
   std::string plan;                    ///< <demonstration>/<000>
   Status status = Status::executable;  ///< executable or approximate
   std::string subject, task;
+  std::vector<RecordingFlag> flags;  ///< doubts about the recording
   std::vector<IndexedMotion> motions;
   std::vector<std::string> grasp_files;  ///< files of the grasp, for a plan with contacts
 };

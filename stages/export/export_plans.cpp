@@ -70,6 +70,7 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
   indexed.plan = run.reader.plan_paths()[i];
   indexed.status = plan.status();
   indexed.subject = plan.subject;
+  indexed.flags = plan.flags;
   indexed.task = plan.task;
   for (const auto& [name, t] : motions) {
     IndexedMotion& entry = indexed.motions.emplace_back();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/store/array_codec.hpp"
+#include "core/store/flag_layout.hpp"
 #include "core/store/hdf5_file.hpp"
 #include "core/store/plan_layout.hpp"
 
@@ -62,7 +63,9 @@ RobomimicWriter::~RobomimicWriter() = default;
 void RobomimicWriter::add(const RobomimicDemo& demo) {
   State& s = *state_;
   const Eigen::Index count = demo.actions.rows();
-  const store::Hdf5Group group = s.data.create(fmt::format("demo_{}", s.demos));
+  store::LayoutWriter io(s.data.create(fmt::format("demo_{}", s.demos)));
+  store::lay_out_flags(io, demo.flags);
+  const store::Hdf5Group& group = io.current_group();
   group.set("num_samples", static_cast<std::int32_t>(count));
   group.set("plan", demo.plan);
   group.set("subject", demo.subject);

@@ -19,6 +19,7 @@ struct RobomimicDemo {
   std::vector<std::pair<std::string, JointRows>> observations;  ///< each [N + 1, …]
   Grasp grasp;                                                  ///< written if it has contacts
   std::string joint_unit;                                       ///< unit of the grasp's postures
+  std::vector<RecordingFlag> flags;                             ///< doubts about the recording
 };
 
 /// The data common to all demonstrations of a file. Actions are scaled from [lower, upper] to [-1,

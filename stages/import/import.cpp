@@ -17,7 +17,7 @@ ImportResult import_recordings(const ImportRequest& request,
     try {
       demonstration = read_recording(entry);
     } catch (const InputError& error) {
-      if (!found.from_folder) throw;
+      if (!found.from_folder && !(request.keep_going && found.entries.size() > 1)) throw;
       imported.skipped.push_back(skipped_file_from_error(entry.file, error));
       continue;
     }

@@ -10,8 +10,9 @@ namespace morphe::imports {
 
 /// Reads the recordings one at a time, in the order of the request, and passes each to `sink`.
 /// Throws InputError "FILE:LINE: KEY: message" (KEY is a column for CSV) for a violation of a
-/// format and for repeated names. If a path of the request is a folder, recordings that cannot be
-/// read are skipped with their reasons, and InputError is thrown only if no other was read.
+/// format and for repeated names. If a path of the request is a folder, or with `keep_going`,
+/// recordings that cannot be read are skipped with their reasons, and InputError is thrown only if
+/// no other was read. Throws InputError for options of the request that have no effect.
 ImportResult import_recordings(const ImportRequest& request,
                                const std::function<void(Demonstration&&)>& sink);
 

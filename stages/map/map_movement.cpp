@@ -15,14 +15,16 @@
 namespace morphe::map {
 namespace {
 
+/// Measures A, which needs the human elbow alone, and B and C, which need the whole arm.
 void measure_humanlikeness(const MappingProblem& problem, const Goals& goals, int frame,
                            const std::vector<Pose>& base_from_frame, MappingResult& mapped) {
   const humanlike::Chain human{goals.shoulder_position[frame], goals.elbow_position[frame],
                                goals.wrist_position[frame]};
-  if (!is_known(human[0]) || !is_known(human[1]) || !is_known(human[2])) return;
-  const humanlike::Chain robot = humanlike::arm_chain(*problem.robot, base_from_frame).joints;
   const std::vector<Vec3> inner = robot::arm_centre_positions(*problem.robot, base_from_frame);
+  if (!is_known(human[1]) || inner.empty()) return;
   mapped.humanlikeness(frame, 0) = humanlike::joint_distance_sum(human[1], inner);
+  if (!is_known(human[0]) || !is_known(human[2])) return;
+  const humanlike::Chain robot = humanlike::arm_chain(*problem.robot, base_from_frame).joints;
   mapped.humanlikeness(frame, 1) = humanlike::triangle_area_sum(human, robot);
   mapped.humanlikeness(frame, 2) = humanlike::hull_volume_sum(human, robot);
 }

@@ -54,6 +54,16 @@ void note_missing(const std::vector<std::pair<const char*, bool>>& joints,
                   fmt::join(missing, ", ")));
 }
 
+/// Notes the fingertips that are hidden for a while.
+void note_unseen_tips(HumanMotion& motion) {
+  for (std::size_t finger = 0; finger < motion.tip.cols; ++finger) {
+    std::vector<Vec3> track;
+    for (std::size_t i = 0; i < motion.tip.rows; ++i) track.push_back(motion.tip(i, finger));
+    if (never_seen(track)) continue;
+    note_unseen(fmt::format("{} tip", kFingerNames[finger]), track, motion.reconstruction_notes);
+  }
+}
+
 }  // namespace
 
 HumanMotion motion_from_skeleton(const Demonstration& demonstration,
@@ -100,6 +110,7 @@ HumanMotion motion_from_skeleton(const Demonstration& demonstration,
   const std::vector<HandKeypoints> fingers =
       resample_fingers(body.time, wrist, digits, clock, options, motion);
   set_finger_points(fingers, motion);
+  note_unseen_tips(motion);
   if (std::ranges::none_of(digits, [](const auto& digit) { return digit[3].exists(); })) {
     motion.reconstruction_notes.push_back("the skeleton has no fingertips");
   }

@@ -11,9 +11,6 @@
 namespace morphe::scene {
 namespace {
 
-/// Largest distance between the tips and the object that they took [m].
-constexpr double kMaxTipObjectDistance_m = 0.15;
-
 /// Returns the name of the recorded object whose centre is nearest to the seen tips at the end of
 /// the grasp, among those within kMaxTipObjectDistance_m of them that are not part of the other
 /// arm; "" if there is no such object.

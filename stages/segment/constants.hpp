@@ -50,6 +50,43 @@ inline constexpr double kDefaultGraspDuration_s = 0.3;  ///< if no unit follows 
 /// Greatest displacement of the wrist relative to that of the object in the hand.
 inline constexpr double kMaxWristObjectRatio = 2;
 
+// Arrival of a hand that goes on at the place (arrival.cpp)
+inline constexpr double kArrivalShare = 0.25;   ///< of the peak speed
+inline constexpr double kOccupiedShare = 0.35;  ///< as SegmentOptions::dip_share
+inline constexpr double kMinOccupied_s = 0.3;   ///< a correction on the way is shorter
+
+// Second visits of a place (come_back.cpp)
+inline constexpr double kTurnHalfWindow_s = 0.1;   ///< around a minimum of the speed
+inline constexpr double kTurnWindow_s = 0.25;      ///< over which directions are compared
+inline constexpr double kMaxTurnCosine = 0.5;      ///< of a turn by 60 degrees
+inline constexpr double kPeakWindow_s = 0.5;       ///< in which the speed is higher on both sides
+inline constexpr double kMaxTurnSpeedShare = 0.9;  ///< of the smaller one of these peaks
+inline constexpr double kComingWindow_s = 1.5;     ///< in which a hand comes and leaves
+inline constexpr double kMinPassingScore = 0.5;
+
+// Evidence for a grasp (grasp_evidence.cpp, grasp_place.cpp): log-odds, see docs/steps/segment.md.
+// Chosen by hand, kLaterPlace, kNearRatio and kFarRatio after random combs had shown grasps: the
+// tests find at least 97 % of random drinks, closing by 5 to 60 mm with and without a stop, and
+// invent no grasp in 900 random combs and touches.
+inline constexpr double kGraspPrior = -1;  ///< of any reach
+inline constexpr double kStatedTask = 2;   ///< of a task that takes an object, or touches
+inline constexpr double kComeBack = 3;     ///< if the hand comes back exactly to the place
+/// How far the hand has to go away in between, over the displacement of the reach.
+inline constexpr double kNearRatio = 0.2, kFarRatio = 0.6;
+inline constexpr double kNoComeBack = -0.5;  ///< it may leave the object elsewhere
+inline constexpr double kNoTransport = -2;   ///< the hand goes home, or rests for kLongRest_s
+inline constexpr double kHeadOdds = -4;      ///< there is no object in the hair
+inline constexpr double kLaterPlace = -1;    ///< for each unit more, or less, in the reach
+inline constexpr double kLongRest_s = 0.5;
+inline constexpr double kTailShare = 0.1;  ///< of an aperture's values left out at either end
+inline constexpr double kSmallOpeningShare = 0.15;      ///< neutral change, of the aperture
+inline constexpr double kClearClosingShare = 0.5;       ///< of the opening
+inline constexpr double kApertureResolution_m = 0.001;  ///< two markers on skin
+inline constexpr double kNeutralRigidity = 2.5;  ///< ratio of the ranges of free and closed hand
+inline constexpr double kMaxRigid = 1.5, kMaxFlexible = 2.5;
+/// Height above the shoulder, and horizontal distance from it, over the length of the arm.
+inline constexpr double kBelowHead = -0.1, kAtHead = 0.2, kBesideHead = 0.5, kAwayFromHead = 0.8;
+
 // Recorded objects (objects.cpp, interaction.cpp)
 /// Within this time a moving object travels farther than min_object_displacement.
 inline constexpr double kLookAhead_s = 0.2;

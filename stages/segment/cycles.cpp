@@ -15,7 +15,6 @@ constexpr double kImpossibleScore = -std::numeric_limits<double>::infinity();
 struct Evidence {
   const HandRecord& hand;
   const std::vector<MovementUnit>& units;
-  Vec3 shoulder;
   std::vector<ReachAperture> aperture;
   std::vector<bool> carried;  ///< true if an object is carried in the unit
   std::vector<bool> held;     ///< true if an object is held between the unit and the next
@@ -61,9 +60,9 @@ double movement_score(const Evidence& evidence, int first, int end) {
     sum += evidence.aperture[first].grasps() ? kGraspScore : kNoGraspScore;
   }
   if (evidence.carried[first]) sum -= kObjectMovedScore;
-  if (is_known(evidence.shoulder)) {
+  if (is_known(evidence.hand.shoulder)) {
     const auto horizontal_distance = [&](const Vec3& position) {
-      return (position - evidence.shoulder).head<2>().norm();
+      return (position - evidence.hand.shoulder).head<2>().norm();
     };
     const double gained =
         horizontal_distance(reach.end_position) - horizontal_distance(reach.start_position);
@@ -75,18 +74,18 @@ double movement_score(const Evidence& evidence, int first, int end) {
   return (end - first) * sum;
 }
 
-Evidence gather_evidence(const HandRecord& hand, const Vec3& shoulder,
-                         const std::vector<MovementUnit>& units) {
-  const auto& [options, objects, signals, interactions, motions] = hand;
-  Evidence evidence{hand, units, shoulder, {}, {}, {}};
+Evidence gather_evidence(const HandRecord& hand, const std::vector<MovementUnit>& units) {
+  const HandSignals& signals = hand.signals;
+  const SegmentOptions& options = hand.options;
+  Evidence evidence{hand, units, {}, {}, {}};
   for (int k = 0; k < std::ssize(units); ++k) {
     const double next_s = k + 1 < std::ssize(units) ? units[k + 1].begin_s : signals.end_s();
     evidence.aperture.push_back(
         measure_aperture(signals, options, units[k].begin_s, units[k].end_s, next_s));
-    evidence.carried.push_back(is_transport(units[k], motions));
-    evidence.held.push_back(
-        !longest_held_object(interactions, signals, units[k].end_s, next_s, options.min_grasp_s)
-             .empty());
+    evidence.carried.push_back(is_transport(units[k], hand.motions));
+    evidence.held.push_back(!longest_held_object(hand.interactions, signals, units[k].end_s, next_s,
+                                                 options.min_grasp_s)
+                                 .empty());
   }
   return evidence;
 }
@@ -98,10 +97,9 @@ bool is_transport(const MovementUnit& unit, const std::vector<ObjectMotion>& mot
       motions, [&](const ObjectMotion& motion) { return overlap_in_time(unit, motion); });
 }
 
-std::vector<Cycle> find_cycles(const HandRecord& hand, const Vec3& shoulder,
-                               const std::vector<MovementUnit>& units) {
+std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units) {
   const SegmentOptions& options = hand.options;
-  const Evidence evidence = gather_evidence(hand, shoulder, units);
+  const Evidence evidence = gather_evidence(hand, units);
   const int n = static_cast<int>(units.size());
   struct Split {
     double score = kImpossibleScore;  // of the units before this rest

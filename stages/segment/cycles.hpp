@@ -36,8 +36,7 @@ bool is_transport(const MovementUnit& unit, const std::vector<ObjectMotion>& mot
 /// units may cost 0.1 together, as a movement whose reach was not recorded, or 0 if the recording
 /// begins inside the first. Only the last unit can be a movement alone. A reach ends at least
 /// `min_reach_distance` from its start; if the recording begins or ends inside it, its speed peak
-/// is recorded. `shoulder` is the median position of the shoulder, NaN if it was never seen.
-std::vector<Cycle> find_cycles(const HandRecord& hand, const Vec3& shoulder,
-                               const std::vector<MovementUnit>& units);
+/// is recorded.
+std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units);
 
 }  // namespace morphe::segment

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "stages/segment/constants.hpp"
+#include "stages/segment/grasp_place.hpp"
 
 namespace morphe::segment {
 namespace {
@@ -57,6 +58,26 @@ double grasp_completion_time(const HandSignals& signals, const ObjectMotion& mot
   return out_s;
 }
 
+/// Returns the first unit that does not continue the reach.
+int first_departure(const HandRecord& hand, const std::vector<MovementUnit>& units,
+                    bool comes_home) {
+  int next = 1;
+  while (next + (comes_home ? 1 : 0) < std::ssize(units) &&
+         continues_reach(hand.signals, hand.options, units.front(), units[next])) {
+    ++next;
+  }
+  return next;
+}
+
+/// Returns true if the hand holds a recorded object before it sets out with unit `departure`.
+bool holds_object(const HandRecord& hand, const std::vector<MovementUnit>& units, int departure) {
+  const double next_s =
+      departure < std::ssize(units) ? units[departure].begin_s : hand.signals.end_s();
+  return !longest_held_object(hand.interactions, hand.signals, units[departure - 1].end_s, next_s,
+                              hand.options.min_grasp_s)
+              .empty();
+}
+
 /// Widens a shorter grasp at both ends, within earliest_s … latest_s.
 void enforce_min_duration(double min_s, double earliest_s, double latest_s, GraspTimes& grasp) {
   const double missing_s = min_s - (grasp.end_s - grasp.begin_s);
@@ -69,9 +90,12 @@ void enforce_min_duration(double min_s, double earliest_s, double latest_s, Gras
 
 GraspTimes find_grasp(const HandRecord& hand, const std::vector<MovementUnit>& units,
                       const std::vector<MovementUnit>& weak, bool comes_home) {
-  const auto& [options, objects, signals, interactions, motions] = hand;
+  const SegmentOptions& options = hand.options;
+  const HandSignals& signals = hand.signals;
   GraspTimes grasp;
-  const ObjectMotion* moved = first_motion(motions, signals, units);
+  GraspPlace place;
+  bool held = false;  // a recorded object that does not move
+  const ObjectMotion* moved = first_motion(hand.motions, signals, units);
   const std::ptrdiff_t count = std::ssize(units);
   int next = 1;  // the unit after the reach and the grasp
   if (moved) {
@@ -79,10 +103,11 @@ GraspTimes find_grasp(const HandRecord& hand, const std::vector<MovementUnit>& u
     grasp.object = moved->object;
     while (next < count && units[next].end_s <= moved->begin_s) ++next;
   } else {
-    while (next + (comes_home ? 1 : 0) < count &&
-           continues_reach(signals, options, units.front(), units[next])) {
-      ++next;
-    }
+    next = first_departure(hand, units, comes_home);
+    held = holds_object(hand, units, next);
+    if (!held) place = find_place(hand, units, next, comes_home);
+    if (!held) next = place.next;
+    grasp.release_unit = place.come_back.score > 0 ? place.come_back.unit : -1;
   }
   int last = next - 1;  // of the reach
   while (last > 0 && moved && units[last].extent < options.min_reach_distance &&
@@ -91,9 +116,10 @@ GraspTimes find_grasp(const HandRecord& hand, const std::vector<MovementUnit>& u
   }
   MovementUnit reach = units.front();
   for (int k = 1; k <= last; ++k) merge_unit(signals, options, units[k], reach);
+  const bool grasps = moved || held || place.evidence.log_odds() > 0;
   for (const MovementUnit& unit : weak) {
-    const bool between =
-        unit.begin_s >= reach.end_s && (next == count || unit.end_s <= units[next].begin_s);
+    const bool between = grasps && unit.begin_s >= reach.end_s &&
+                         (next == count || unit.end_s <= units[next].begin_s);
     if (between && continues_reach(signals, options, reach, unit))
       merge_unit(signals, options, unit, reach);
   }
@@ -118,12 +144,13 @@ GraspTimes find_grasp(const HandRecord& hand, const std::vector<MovementUnit>& u
   const double begin_s = units.front().begin_s;
   grasp.aperture = measure_aperture(signals, options, begin_s, grasp.begin_s, grasp.end_s);
   if (!moved) {
-    grasp.object =
-        longest_held_object(interactions, signals, grasp.begin_s, grasp.end_s, options.min_grasp_s);
+    grasp.object = longest_held_object(hand.interactions, signals, grasp.begin_s, grasp.end_s,
+                                       options.min_grasp_s);
   }
   if ((moved || !grasp.object.empty()) && !grasp.aperture.widens)
     grasp.aperture.preshape_s = signals.time(units.front().peak);
-  grasp.grasped = !grasp.object.empty() || grasp.aperture.grasps();
+  if (!moved && grasp.object.empty()) grasp.probability = place.evidence.probability();
+  grasp.grasped = grasp.probability > 0.5;
   if (!grasp.grasped) {
     grasp.end_s = grasp.begin_s;
     grasp.end_confidence = grasp.begin_confidence;

@@ -18,7 +18,9 @@ struct GraspTimes {
   double begin_s = 0;         ///< time at which the reach ends, with or without a grasp
   double end_s = 0;           ///< time at which the transport begins; = begin_s without a grasp
   int units_used = 1;         ///< number of units in reach and grasp
+  int release_unit = -1;      ///< unit that ends where the object is left again; -1 if unknown
   double begin_confidence = 1, end_confidence = 1;  ///< of these times, 0 … 1
+  double probability = 1;                           ///< that the hand took an object
   ReachAperture aperture;                           ///< during the reach
 };
 
@@ -29,8 +31,10 @@ struct GraspTimes {
 ///   which the object moves; smaller units before that are the hand closing. With until_grasped,
 ///   the grasp is delayed until the hand has the object: from then on its wrist travels at most
 ///   twice as far as the object.
-///   Otherwise the transport is the unit after the reach. There is a grasp if the aperture widens
-///   and closes again, or a recorded object is held for min_grasp_s before the transport.
+///   Otherwise the transport is the unit after the reach. There is a grasp if a recorded object is
+///   held for min_grasp_s before the transport, or if the evidence for it (grasp_evidence.hpp) is
+///   more probable with a grasp than without. The reach has as many units as make the evidence
+///   strongest; each more or less than those before the first departure costs 0.5.
 /// `weak` are the units of the recording that are too small to be transports; they may be the last
 /// part of the reach.
 GraspTimes find_grasp(const HandRecord& hand, const std::vector<MovementUnit>& units,

@@ -6,6 +6,7 @@
 
 #include "core/motion/human_motion.hpp"
 #include "core/motion/scene.hpp"
+#include "core/motion/task.hpp"
 #include "stages/segment/constants.hpp"
 #include "stages/segment/objects.hpp"
 #include "stages/segment/segment_options.hpp"
@@ -32,11 +33,15 @@ struct HandObjectInteraction {
 
 /// The data of a recording on one hand and the objects around it.
 struct HandRecord {
+  const HumanMotion& motion;
   const SegmentOptions& options;
   const std::vector<SceneObject>& objects;
+  TaskKind task = TaskKind::unknown;  ///< as stated
   HandSignals signals;
-  std::vector<HandObjectInteraction> interactions;
-  std::vector<ObjectMotion> motions;  ///< caused by this hand
+  std::vector<HandObjectInteraction> interactions = {};
+  std::vector<ObjectMotion> motions = {};  ///< caused by this hand
+  Vec3 shoulder = unknown_point();         ///< median position; unknown if it was never seen
+  double arm_length_m = kUnknown;          ///< upper arm and forearm
 };
 
 /// Returns one interaction for each object that has poses. Empty if `signals` is empty.

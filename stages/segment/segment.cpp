@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/math/statistics.hpp"
+#include "stages/segment/arrival.hpp"
+#include "stages/segment/come_back.hpp"
 #include "stages/segment/constants.hpp"
 #include "stages/segment/cycles.hpp"
 #include "stages/segment/grasp.hpp"
@@ -93,7 +95,11 @@ Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
                        const std::vector<MovementUnit>& weak, bool comes_home) {
   const HandSignals& signals = hand.signals;
   Movement movement;
-  const GraspTimes grasp = find_grasp(hand, units, weak, comes_home);
+  GraspTimes grasp = find_grasp(hand, units, weak, comes_home);
+  if (!grasp.grasped && split_at_arrival(signals, hand.options, units)) {
+    grasp.begin_s = grasp.end_s = units.front().end_s;
+    grasp.begin_confidence = grasp.end_confidence = units.front().end_confidence;
+  }
   movement.target = grasp.object;
   const MovementUnit reach = units.front();
   add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
@@ -105,13 +111,25 @@ Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
               grasp.begin_confidence, movement);
     add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
               grasp.end_confidence, movement);
+    movement.phases.back().confidence *= grasp.probability;
   }
   units.erase(units.begin(), units.begin() + grasp.units_used);
   if (grasp.grasped && !units.empty()) units.front().begin_s = grasp.end_s;
   const std::ptrdiff_t back =
-      first_return(units, hand.motions, comes_home, grasp.object_moved, reach.start_position);
+      grasp.grasped && comes_home && grasp.release_unit >= 0
+          ? grasp.release_unit + 1 - grasp.units_used
+          : first_return(units, hand.motions, comes_home, grasp.object_moved, reach.start_position);
   add_later_phases(signals, units, back, grasp, comes_home, movement);
   return movement;
+}
+
+/// Returns the length of upper arm and forearm; NaN if they were not seen.
+double arm_length_m(const HumanMotion& motion) {
+  const std::size_t n = motion.time.size();
+  if (motion.shoulder.size() != n || motion.elbow.size() != n || motion.wrist.size() != n)
+    return kUnknown;
+  return math::median_distance(motion.shoulder, motion.elbow) +
+         math::median_distance(motion.elbow, motion.wrist);
 }
 
 std::vector<Movement> whole_recording(const HumanMotion& motion) {
@@ -162,13 +180,16 @@ std::string validation_error(const SegmentOptions& o) {
 }
 
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
-                              const std::vector<SceneObject>& objects) {
+                              const std::vector<SceneObject>& objects, std::string_view task) {
   if (options.whole_recording) return whole_recording(motion);
-  HandRecord hand{options, objects, hand_signals(motion, options.velocity_smoothing_s), {}, {}};
+  HandRecord hand{motion, options, objects, kind_of_task(task),
+                  hand_signals(motion, options.velocity_smoothing_s)};
+  hand.shoulder = math::median_point(motion.shoulder);
+  hand.arm_length_m = arm_length_m(motion);
   hand.interactions = find_interactions(motion, hand.signals, objects);
   hand.motions = motions_by_hand(object_motions(objects, options.min_object_displacement),
                                  hand.interactions, hand.signals);
-  std::vector<double> splits_s;
+  std::vector<double> splits_s = find_passing_turns(hand.signals, options);
   for (const ObjectMotion& object : hand.motions)
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});
   std::vector<MovementUnit> units = find_movement_units(hand.signals, options, splits_s);
@@ -177,7 +198,7 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
   const std::vector<MovementUnit> weak(first_weak, units.end());
   units.erase(first_weak, units.end());
   std::vector<Movement> movements;
-  for (const Cycle& cycle : find_cycles(hand, math::median_point(motion.shoulder), units)) {
+  for (const Cycle& cycle : find_cycles(hand, units)) {
     const auto begin = units.begin() + cycle.first;
     Movement movement = make_movement(hand, {begin, begin + cycle.count}, weak, cycle.returns_home);
     if (movement.phases.empty()) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "core/motion/human_motion.hpp"
@@ -33,8 +34,10 @@ namespace morphe::segment {
 ///
 /// With `whole_recording` the result is one movement without phases, from the first to the last
 /// frame in which wrist or fingertips were seen. Otherwise there are no movements if the recording
-/// is too short or motionless, or if the wrist was never seen. Never throws.
+/// is too short or motionless, or if the wrist was never seen. `task` is the recording's, if it was
+/// stated. Never throws.
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
-                              const std::vector<SceneObject>& objects = {});
+                              const std::vector<SceneObject>& objects = {},
+                              std::string_view task = {});
 
 }  // namespace morphe::segment

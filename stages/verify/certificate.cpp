@@ -40,6 +40,32 @@ bool agree(double stored, double recomputed, double tolerance) {
          std::abs(stored - recomputed) <= tolerance;
 }
 
+/// A value of the certificate and its name in a file.
+struct Attribute {
+  const char* name;
+  double Certificate::*value;
+};
+constexpr Attribute kAttributes[] = {
+    {"joint_limit_margin", &Certificate::joint_limit_margin},
+    {"velocity_ratio", &Certificate::velocity_ratio},
+    {"acceleration_ratio", &Certificate::acceleration_ratio},
+    {"jerk_ratio", &Certificate::jerk_ratio},
+    {"clearance", &Certificate::clearance},
+    {"tip_error_max", &Certificate::tip_error_max},
+    {"tip_error_mean", &Certificate::tip_error_mean},
+    {"tip_error_grasp", &Certificate::tip_error_grasp},
+    {"tip_orientation_error_max", &Certificate::tip_orientation_error_max},
+    {"upper_arm_error_mean", &Certificate::upper_arm_error_mean},
+    {"upper_arm_error_max", &Certificate::upper_arm_error_max},
+    {"duration_ratio", &Certificate::duration_ratio},
+    {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
+    {"humanlikeness_final", &Certificate::humanlikeness_final},
+    {"sparc_robot", &Certificate::sparc_robot},
+    {"sparc_human", &Certificate::sparc_human},
+    {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
+    {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
+};
+
 }  // namespace
 
 Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
@@ -73,30 +99,6 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
 
 void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
                         const LimitUse& use, double clearance, ViolationLog& violations) {
-  struct Attribute {
-    const char* name;
-    double Certificate::*value;
-  };
-  constexpr Attribute kAttributes[] = {
-      {"joint_limit_margin", &Certificate::joint_limit_margin},
-      {"velocity_ratio", &Certificate::velocity_ratio},
-      {"acceleration_ratio", &Certificate::acceleration_ratio},
-      {"jerk_ratio", &Certificate::jerk_ratio},
-      {"clearance", &Certificate::clearance},
-      {"tip_error_max", &Certificate::tip_error_max},
-      {"tip_error_mean", &Certificate::tip_error_mean},
-      {"tip_error_grasp", &Certificate::tip_error_grasp},
-      {"tip_orientation_error_max", &Certificate::tip_orientation_error_max},
-      {"upper_arm_error_mean", &Certificate::upper_arm_error_mean},
-      {"upper_arm_error_max", &Certificate::upper_arm_error_max},
-      {"duration_ratio", &Certificate::duration_ratio},
-      {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
-      {"humanlikeness_final", &Certificate::humanlikeness_final},
-      {"sparc_robot", &Certificate::sparc_robot},
-      {"sparc_human", &Certificate::sparc_human},
-      {"log_dimensionless_jerk_robot", &Certificate::log_dimensionless_jerk_robot},
-      {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
-  };
   const Certificate own = recompute_certificate(robot, plan, curve, use, clearance);
   const Certificate& stored = plan.certificate;
   for (const auto& [name, value] : kAttributes) {
@@ -117,6 +119,12 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
       plan.path.origin, [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   if (plan.repaired != repaired)
     violations.note_plan("certificate", "repaired", plan.repaired, repaired);
+}
+
+void verify_no_certificate(const Certificate& certificate, ViolationLog& violations) {
+  for (const auto& [name, value] : kAttributes)
+    if (!std::isnan(certificate.*value))
+      violations.note_plan("certificate", name, certificate.*value, kUnknown);
 }
 
 }  // namespace morphe::verify

@@ -19,4 +19,8 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
 void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
                         const LimitUse& use, double clearance, ViolationLog& violations);
 
+/// Records a `certificate` violation for each value in the certificate of a plan without a
+/// trajectory.
+void verify_no_certificate(const Certificate& certificate, ViolationLog& violations);
+
 }  // namespace morphe::verify

@@ -50,17 +50,20 @@ std::string verify_json(const VerifyReport& report) {
   return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
 }
 
+std::string violation_text(const Violation& v) {
+  const std::string place =
+      v.sample < 0 ? "plan" : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
+  std::string text = v.plan.empty()
+                         ? fmt::format("file: {} {}", v.cause, v.subject)
+                         : fmt::format("{}: {}: {} {}", v.plan, place, v.cause, v.subject);
+  if (!std::isnan(v.limit))
+    text += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
+  return text;
+}
+
 std::string verify_text(const VerifyReport& report) {
   std::string out;
-  for (const Violation& v : report.violations) {
-    const std::string place =
-        v.sample < 0 ? "plan" : fmt::format("sample {} ({:.4f} s)", v.sample, v.time_s);
-    out += v.plan.empty() ? fmt::format("file: {} {}", v.cause, v.subject)
-                          : fmt::format("{}: {}: {} {}", v.plan, place, v.cause, v.subject);
-    if (!std::isnan(v.limit))
-      out += fmt::format(": {}, limit {}", with_unit(v.value, v.unit), with_unit(v.limit, v.unit));
-    out += '\n';
-  }
+  for (const Violation& v : report.violations) out += violation_text(v) + '\n';
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
   return fmt::format("{}{} executable, {}{} infeasible, {}\n", out, report.executable, approximate,

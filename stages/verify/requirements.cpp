@@ -27,6 +27,17 @@ void verify_tolerances(const Plan& plan, const PlanRequest& request, ViolationLo
   check("tracking_tolerance", own.tracking_tolerance, required.tracking_tolerance);
   check("max_unreachable_share", own.max_unreachable_share, required.max_unreachable_share);
   check("max_tip_error", own.max_tip_error, required.max_tip_error);
+  check("max_missing_goal_share", own.max_missing_goal_share, required.max_missing_goal_share);
+  check("max_goal_gap_s", own.max_goal_gap_s, required.max_goal_gap_s);
+}
+
+void verify_flags(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
+  for (const RecordingFlag& flag : plan.flags) {
+    const bool refused =
+        std::ranges::find(request.refused_flags, flag.code) != request.refused_flags.end();
+    if (refused && flag.response == FlagResponse::flagged)
+      violations.note_plan("flag", std::string(name_of(flag.code)), flag.value, flag.limit);
+  }
 }
 
 void verify_plan_times(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
@@ -117,6 +128,7 @@ void verify_attached_frame(const Plan& plan, const PlanRequest& request, Violati
 
 void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
   verify_tolerances(plan, request, violations);
+  verify_flags(plan, request, violations);
   verify_plan_times(plan, request, violations);
   verify_approach_retreat_present(plan, request, violations);
   verify_scene_bodies(plan, request, violations);

@@ -6,7 +6,7 @@
 namespace morphe::verify {
 
 /// Records `config` violations if a plan with a trajectory differs from the request:
-/// required_clearance, …, max_tip_error   a tolerance that is not the config's
+/// required_clearance, …, max_goal_gap_s   a tolerance that is not the config's
 /// goals              frames are not spaced by the config's step; 1e-6 s
 /// begin_s, end_s     not the begin of the first phase and the end of the last phase to be planned;
 ///                    1e-9 s
@@ -15,6 +15,7 @@ namespace morphe::verify {
 ///                    (1e-6) than the config gives it
 /// carried_by         the target is attached to another frame than the request's, or to any though
 ///                    the movement ends before its attach_s
+/// Records a `flag` violation for each of its flags that the config refuses and nobody accepted.
 void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
 
 /// Records a `robot` violation for each column in which a stored robot table differs from the

@@ -1,8 +1,11 @@
 #include "stages/verify/status.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stages/verify/goal_errors.hpp"
+#include "stages/verify/missing_goals.hpp"
 
 namespace morphe::verify {
 namespace {
@@ -23,18 +26,32 @@ double unreachable_share(const Goals& goals) {
 }  // namespace
 
 void verify_status(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
-  const double max_share = plan.tolerances.max_unreachable_share;
-  const double max_tip_error = plan.tolerances.max_tip_error;
-  if (std::isnan(max_share) && std::isnan(max_tip_error)) return;
+  const Tolerances& allowed = plan.tolerances;
+  if (std::isnan(allowed.max_unreachable_share) && std::isnan(allowed.max_tip_error)) return;
   const double share = unreachable_share(plan.goals);
+  const GoalGaps gaps = find_goal_gaps(plan);
   const double tip_error = goal_errors(robot, plan).position_max;
-  const bool out_of_reach = share > max_share || share == 1, too_far = tip_error > max_tip_error;
+  struct Excess {
+    const char* name;
+    double value, limit;
+    bool exceeds;
+  };
+  const auto compare = [](const char* name, double value, double limit) {
+    return Excess{name, value, limit, value > limit};
+  };
+  std::array kinds{
+      compare("max_unreachable_share", share, allowed.max_unreachable_share),
+      compare("max_tip_error", tip_error, allowed.max_tip_error),
+      compare("max_missing_goal_share", gaps.largest_share, allowed.max_missing_goal_share),
+      compare("max_goal_gap_s", gaps.longest_s, allowed.max_goal_gap_s)};
+  kinds[0].exceeds = kinds[0].exceeds || share == 1;
   if (plan.approximate) {
-    if (!out_of_reach && !too_far) violations.note_plan("status", "approximate", share, max_share);
+    if (std::ranges::none_of(kinds, &Excess::exceeds))
+      violations.note_plan("status", "approximate", share, allowed.max_unreachable_share);
     return;
   }
-  if (out_of_reach) violations.note_plan("status", "max_unreachable_share", share, max_share);
-  if (too_far) violations.note_plan("status", "max_tip_error", tip_error, max_tip_error);
+  for (const Excess& kind : kinds)
+    if (kind.exceeds) violations.note_plan("status", kind.name, kind.value, kind.limit);
 }
 
 }  // namespace morphe::verify

@@ -45,6 +45,9 @@ MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
 /// time_s, cause, subject, value, limit, unit}]}; a number that is not finite is null.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
+/// Returns a violation as one line, such as "reach/000: plan: mapped status: 1, limit 0".
+MORPHE_EXPORT std::string violation_text(const Violation& violation);
+
 /// Returns the report as text, one line per violation, followed by the totals.
 MORPHE_EXPORT std::string verify_text(const VerifyReport& report);
 

@@ -19,13 +19,14 @@ namespace morphe::verify {
 ///                                       1e-4 m between samples
 /// self_collision    capsule/capsule     m of clearance; clearance required, tolerance 1e-6 m
 /// object_collision  capsule/object      the same
-/// status       name of the allowance    share of goals out of reach, or m of a tip from its goal,
-///                                       of a plan with the wrong status; the allowed value
+/// status       name of the allowance    share of goals out of reach or missing, m of a tip from
+///                                       its goal, or s without a goal, of a plan with the wrong
+///                                       status; the allowed value
 /// grasp        dataset of grasp/        m or rad from the value given by trajectory and scene
 /// contact      tip/property             see stages/verify/grasp_contacts.hpp
 /// quality      attribute                stored value; attainable value (grasp_quality.hpp)
 /// grasp_force  tip/property, or dataset see stages/verify/grasp_forces.hpp
-/// certificate  attribute                stored value; recomputed value
+/// certificate  attribute                stored value; recomputed value, NaN without a trajectory
 /// clearance    trajectory               m stored for a sample; recomputed value, tolerance 1e-4
 /// goals        dataset of goals/        see stages/verify/goals.hpp
 /// phase        phase, or trajectory     see stages/verify/phases.hpp
@@ -34,6 +35,7 @@ namespace morphe::verify {
 /// path         dataset of path/         see stages/verify/path.hpp
 /// approach_retreat  property            see stages/verify/approach_retreat.hpp
 /// config       attribute, or a sentence stored value; value requested by the file's config
+/// flag         code                     value and limit of a flag that the config refuses
 /// robot        column of /robot         stored value; value derived from the file's inputs
 struct Violation {
   std::string plan;   ///< its path; "" for the file as a whole

@@ -281,10 +281,10 @@ class Recordings(RunCase):
     def test_dataset_of_another_version(self):
         imported = self.folder / "imported.h5"
         self.succeeds("import", self.manifest, "--out", imported)
-        for version in (1, 99):
+        for version in (2, 99):
             with h5py.File(imported, "r+") as file:
                 file.attrs["version"] = version
-            self.run_refuses(f"{imported}:/", f"@version is {version}; this program reads only version 2",
+            self.run_refuses(f"{imported}:/", f"@version is {version}; this program reads only version 3",
                              arguments=["--dataset", imported, "--json"])
 
 

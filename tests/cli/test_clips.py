@@ -66,7 +66,8 @@ class Clips(CommandCase):
 
     def arrays_of(self, hand, order="openpose"):
         return {"times": hand.time, "mano_right_joints": in_order(hand.joints, order),
-                "mano_right_wrist_pos": hand.wrist, "object_handle_pose": pose_of(hand), **dict(BALL)}
+                "mano_right_wrist_pos": hand.wrist, "object_handle_pose": pose_of(hand), "axes": "x y z",
+                **dict(BALL)}
 
     def read(self, file, *options):
         read = self.folder / "read.h5"
@@ -177,6 +178,79 @@ class Clips(CommandCase):
             np.testing.assert_allclose(h5["demonstrations/clip/objects/handle/position"][()],
                                        hand.handle, atol=1e-9)
 
+    def test_axes_that_the_clip_does_not_state_are_asked_for(self):
+        hand = self.hands["door_demo_06"]
+        arrays = self.arrays_of(hand)
+        del arrays["axes"]
+        high = [0.0, 0.0, 2.0]  # a floor far below
+        for turn, likely in ((np.eye(3), "x y z"), (tracked_hands.Y_UP, "x -z y")):
+            with self.subTest(likely):
+                for key, values in (("mano_right_joints", hand.joints), ("mano_right_wrist_pos", hand.wrist)):
+                    arrays[key] = (values + high) @ turn.T
+                asked = morphe("import", self.write(**arrays), "--out", self.folder / "no.h5")
+                self.assertEqual(asked.returncode, 2, asked.stdout)
+                self.assertIn(": axes: the file does not state", asked.stderr)
+                self.assertIn(f"--axes '{likely}'", asked.stderr.split("to paste:")[1])
+        points, _, _ = self.read(self.write(**arrays), "--axes", "x -z y")
+        np.testing.assert_allclose(points["right_index_tip"], hand.tips[:, 1] + high, atol=1e-9)
+
+    def test_hands_that_were_not_seen_are_zeros(self):
+        hand = self.hands["door_demo_06"]
+        for nothing in (0, -1):
+            arrays = self.arrays_of(hand)
+            arrays["mano_right_joints"] = hand.joints.copy()
+            arrays["mano_right_joints"][20:26] = nothing
+            arrays["mano_right_wrist_pos"] = arrays["mano_right_joints"][:, 0]
+            arrays["object_handle_pose"] = pose_of(hand)
+            arrays["object_handle_pose"][30:33] = 0
+            points, reports, read = self.read(self.write(**arrays))
+            missed = np.linalg.norm(points["right_index_tip"] - hand.tips[:, 1], axis=-1)
+            self.assertEqual(list(np.flatnonzero(np.isnan(missed))), list(range(20, 26)))
+            self.assertIn("all joints of the right hand are at one point in 6 frames; treated as not visible",
+                          reports)
+            with h5py.File(read) as h5:
+                self.assertEqual(len(h5["demonstrations/clip/objects/handle/time"]), len(hand.time) - 3)
+
+    def test_times_in_other_units(self):
+        hand = self.hands["door_demo_06"]
+        plain, _, _ = self.read(self.write(**self.arrays_of(hand)))
+        for factor, unit in ((1e3, "ms"), (1e6, "us"), (1e9, "ns")):
+            with self.subTest(unit):
+                arrays = self.arrays_of(hand)
+                arrays.update(times=hand.time * factor, label_phases=["reach"],
+                              label_times=[[0.5 * factor, 1.0 * factor]])
+                points, reports, read = self.read(self.write(**arrays))
+                self.assertIn(f"unit of 'times' not in the file; assumed {unit}, ", "; ".join(reports))
+                with h5py.File(read) as h5:
+                    np.testing.assert_allclose(h5["demonstrations/clip/skeleton/time"], hand.time, atol=1e-9)
+        frames = self.arrays_of(hand)
+        frames["times"] = np.arange(len(hand.time))
+        asked = morphe("import", self.write(**frames), "--out", self.folder / "no.h5")
+        self.assertEqual(asked.returncode, 2)
+        self.assertIn(": rate: 'times' has whole numbers with the step 1", asked.stderr)
+        self.read(self.write(**frames), "--rate", "100")
+        with h5py.File(self.folder / "read.h5") as h5:
+            np.testing.assert_allclose(h5["demonstrations/clip/skeleton/time"], np.arange(len(hand.time)) / 100)
+
+    def test_an_order_that_the_bones_contradict_is_asked_for(self):
+        for name, hand in self.hands.items():
+            for order, stated in (("mano", "openpose"), ("openpose", "mano"), ("aria", "openpose")):
+                with self.subTest(name, order=order, stated=stated):
+                    file = self.write(name, **{**self.arrays_of(hand, order), "joint_order": stated})
+                    asked = morphe("import", file, "--out", self.folder / "no.h5")
+                    self.assertEqual(asked.returncode, 2, asked.stdout)
+                    self.assertIn("the bones contradict the joint order of the file", asked.stderr)
+                    self.assertIn(f"--joint-order {order}", asked.stderr.split("to paste:")[1])
+                    points, _, _ = self.read(file, "--joint-order", order)
+                    self.same_tips(points, hand)
+
+    def test_joints_in_the_frame_of_the_wrist_have_no_place(self):
+        hand = self.hands["door_demo_06"]
+        local = hand.joints - hand.joints[:, :1]
+        file = self.write(times=hand.time, axes="x y z", joint_order="openpose", mano_right_joints=local)
+        said = self.succeeds("import", file, "--out", self.folder / "read.h5").stdout
+        self.assertIn("the wrist is the origin in every frame: the points are in the frame of the hand", said)
+
     def test_spider(self):
         hand = self.hands["door_demo_06"]
         rows = len(hand.time)
@@ -222,11 +296,12 @@ class Clips(CommandCase):
                 self.refuses(morphe("import", file, "--out", self.folder / "no.h5"), f"{file}: {key}",
                              *words)
                 self.assertFalse((self.folder / "no.h5").exists())
-        for arrays, asked in ((feet, "unit"), (no_rate, "rate")):
+        period = {**no_rate, "fps": 0.01}
+        for arrays, asked in ((feet, "unit"), (no_rate, "rate"), (period, "rate")):
             with self.subTest(asked):
                 result = morphe("inspect", self.write(**arrays))
                 self.assertEqual(result.returncode, 2)
-                self.assertIn(f": {asked}: ", result.stderr)
+                self.assertIn(f": {'fps' if arrays is period else asked}: ", result.stderr)
                 self.assertIn(f"--{asked} ", result.stderr.split("to paste:")[1])
 
     def test_damaged_files_are_refused(self):

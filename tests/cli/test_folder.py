@@ -15,14 +15,13 @@ TEXT = {name: (RECORDINGS / f"{name}.csv").read_text(encoding="utf-8-sig").split
 
 
 def recording(source, person, mark, step=10):
-    """A shipped one as `person`'s, every `step`-th row: its first coordinate is `mark` mm."""
+    """A shipped one as `person`'s, every `step`-th row, with a marker MARK that rests at x = `mark` mm."""
     lines = TEXT[source]
     subject = source[:6]
-    rows = lines[5::step]
-    cells = rows[0].split(",")
-    cells[2] = f"{mark:.3f}"
-    return "\n".join(lines[:2] + [lines[2].replace(f"{subject}:", f"{person}:")] + lines[3:5]
-                     + [",".join(cells)] + rows[1:]) + "\n"
+    columns = len(lines[4].split(","))
+    names = ",".join(lines[2].replace(f"{subject}:", f"{person}:").split(",")[:columns]) + f",{person}:MARK,,"
+    rows = [f"{','.join(row.split(',')[:columns])},{mark:.3f},500.000,500.000" for row in lines[5::step] if row]
+    return "\n".join(lines[:2] + [names, lines[3] + ",X,Y,Z", lines[4] + ",mm,mm,mm"] + rows) + "\n"
 
 
 def left(text):
@@ -60,7 +59,7 @@ class FolderCase(CommandCase):
             found = {}
             for name, group in file["demonstrations"].items():
                 still = group.get("calibration/markers/position")
-                found[name] = tuple(None if data is None else round(1000 * data[0, 0, 0], 3)
+                found[name] = tuple(None if data is None else round(1000 * data[0, -1, 0], 3)
                                     for data in (group["markers/position"], still))
             self.attributes = {name: dict(group.attrs) for name, group in file["demonstrations"].items()}
             self.reports = {name: list(group["import_notes"].asstr()) for name, group in file["demonstrations"].items()}

@@ -307,7 +307,7 @@ class Recordings(ManyCase):
         config = self.folder / "cup.yaml"
         config.write_text(self.config.read_text().replace(
             "scene: {", "scene: {objects: [{name: cup, shape: sphere, size: [0.01], position: [0.2, 0, 2]}], "))
-        result = morphe("run", config, "--dataset", file, "--out", self.out)
+        result = morphe("run", config, "--dataset", file, "--set", "audit.refuse=[]", "--out", self.out)
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("synthetic_000000: scene/cup: the name appears twice\n", result.stderr)
         self.assertIn(", 1 failed", result.stdout)

@@ -8,7 +8,7 @@ from support import QUICK, RECORDINGS, REFERENCE, SOURCE, CommandCase, main, mor
 
 DEMONSTRATIONS = ["ADL001DR2", "ADL004DR2", "ADL006DR2", "ADL001FR1", "ADL001AR1"]
 
-ENTRY = ["name", "duration_s", "streams", "movements", "problems", "subject", "task", "hand",
+ENTRY = ["name", "duration_s", "streams", "movements", "flags", "problems", "subject", "task", "hand",
          "calibration", "objects", "rebuilt", "residuals", "estimated", "missing", "reports",
          "points"]
 STREAM = ["name", "rate_hz", "valid_share", "begin_s", "duration_s", "columns", "gaps", "longest_gap_s",
@@ -111,7 +111,7 @@ class Inspect(CommandCase):
                 self.assertTrue(0.5 < stream["valid_share"] <= 1)
                 self.assertGreaterEqual(len(entry["movements"]), 1)
                 for movement in entry["movements"]:
-                    self.assertEqual(list(movement), ["begin_s", "end_s", "phases", "target",
+                    self.assertEqual(list(movement), ["begin_s", "end_s", "phases", "target", "flags",
                                                       "unusable_reason"])
                     self.assertEqual(movement["unusable_reason"], "")
                     self.assertTrue(0 <= movement["begin_s"] < movement["end_s"]
@@ -193,10 +193,10 @@ class PartlySeen(CommandCase):
         self.assertEqual(status, b"executable")
         self.assertRegex(detail, r"thumb_tip has a goal in \d+ of \d+ frames")
 
-    def test_a_reach_that_is_cut_off_is_called_uncertain(self):
+    def test_a_reach_that_is_cut_off_is_not_planned(self):
         status, detail = self.detail_of(lambda names, rows: rows[:150])
-        self.assertEqual(status, b"executable")
-        self.assertIn("the limits of phase reach are uncertain", detail)
+        self.assertEqual(status, b"infeasible")
+        self.assertIn("the recording ends while the hand moves", detail)
 
 
 class WithoutAnArm(CommandCase):

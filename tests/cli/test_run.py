@@ -87,7 +87,7 @@ class ShippedSample(unittest.TestCase):
     def test_plans_file_keeps_the_contract(self):
         self.assertFalse(set(formats.PLANS_ROOT) - set(self.file.attrs))
         self.assertEqual(formats.text(self.file.attrs["format"]), "morphe-plans")
-        self.assertEqual(self.file.attrs["version"], 2)
+        self.assertEqual(self.file.attrs["version"], 3)
         robot = self.file["robot"]
         self.assertFalse(set(formats.ROBOT_ATTRIBUTES) - set(robot.attrs))
         self.assertEqual(formats.text(self.file.attrs["robot"]), "pa10_dlr_hit2")
@@ -124,7 +124,7 @@ class ShippedSample(unittest.TestCase):
     def test_demonstrations_file_keeps_the_contract(self):
         with h5py.File(self.out / "demonstrations.h5") as file:
             self.assertEqual(formats.text(file.attrs["format"]), "morphe-demonstrations")
-            self.assertEqual(file.attrs["version"], 2)
+            self.assertEqual(file.attrs["version"], 3)
             self.assertEqual(list(file["demonstrations"]), DEMONSTRATIONS)
             for name, group in file["demonstrations"].items():
                 with self.subTest(name):

@@ -104,7 +104,7 @@ class Goes(ManyCase):
 
 class Seen(ManyCase):
     def test_progress_leaves_no_trace_on_a_terminal(self):
-        terminal = Terminal(*self.command(self.out), columns=200)
+        terminal = Terminal(*self.command(self.out), columns=400)
         self.assertEqual(terminal.end()[0], 0)
         self.assertRegex(terminal.seen, rf"\r\x1b\[K\d+ of {COUNT}")
         printed = morphe(*self.command(self.out)).stdout.replace(f"; {COUNT} reused from an earlier run", "")

@@ -21,8 +21,8 @@ export const countPassing = () => passingCount;
 
 let searchTexts = null;
 
-const searchTextOf = ({ plan, subject, task, reason, detail, target }) =>
-  [plan, subject, task, reason, detail, target].join("\n").toLowerCase();
+const searchTextOf = ({ plan, subject, task, reason, detail, target, flags }) =>
+  [plan, subject, task, reason, detail, target, ...flags].join("\n").toLowerCase();
 
 function searchTests() {
   const words = filter.search.toLowerCase().split(/\s+/).filter((word) => word !== "");

@@ -87,10 +87,14 @@ function titleOf(row) {
     .filter((part) => part !== null);
 }
 
+const flagsOf = (row) => row.flags.map((flag) => build("p", {}, build("b", {}, "flag "), plainText(flag)));
+
 function reasonOf(plan, row) {
-  if (row.status !== "infeasible") return row.detail ? [build("p", {}, plainText(row.detail))] : [];
+  const flags = flagsOf(row);
+  if (row.status !== "infeasible")
+    return row.detail ? [build("p", {}, plainText(row.detail)), ...flags] : flags;
   const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),
-                 build("p", {}, plainText(row.detail))];
+                 build("p", {}, plainText(row.detail)), ...flags];
   if (plan.worst) {
     const time = timeOfDemonstration(plan, plan.worst.demonstration_s);
     parts.push(build("p", {}, "Worst instant: ", plainText(plan.worst.sentence), " ",

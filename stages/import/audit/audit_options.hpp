@@ -12,14 +12,18 @@ namespace morphe::imports {
 struct AuditOptions {
   /// Flags that make a movement infeasible (`doubtful_recording`), unless they are mended or
   /// accepted: by default those that the robot would act upon.
-  std::vector<FlagCode> refuse = {FlagCode::exchanged_digits, FlagCode::spike,
-                                  FlagCode::target_away, FlagCode::missing_goals};
+  std::vector<FlagCode> refuse = {
+      FlagCode::exchanged_digits,   FlagCode::spike,       FlagCode::step,
+      FlagCode::lost_rows,          FlagCode::target_away, FlagCode::missing_goals,
+      FlagCode::incomplete_movement};
   double max_missing_goal_share = 0.2;  ///< of the goals in grasp and hold; more is missing_goals
+  double max_goal_gap_s = 0.3;          ///< without any goal; longer is missing_goals
 };
 template <class Fields>
 void fields(Fields& f, AuditOptions& o) {
   f("refuse", o.refuse);
   f("max_missing_goal_share", o.max_missing_goal_share);
+  f("max_goal_gap_s", o.max_goal_gap_s);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const AuditOptions& options);

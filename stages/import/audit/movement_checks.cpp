@@ -6,9 +6,23 @@
 namespace morphe::imports {
 
 std::string validation_error(const AuditOptions& options) {
-  return options.max_missing_goal_share >= 0 && options.max_missing_goal_share < 1
-             ? ""
-             : "max_missing_goal_share must be at least 0 and less than 1";
+  if (!(options.max_missing_goal_share >= 0 && options.max_missing_goal_share < 1))
+    return "max_missing_goal_share must be at least 0 and less than 1";
+  return options.max_goal_gap_s >= 0 ? "" : "max_goal_gap_s must not be negative";
+}
+
+std::vector<RecordingFlag> check_movement(const AuditedMovement& audited,
+                                          const AuditOptions& options) {
+  const std::vector<AcceptedFlag>& accepted = audited.recording.accepted_flags;
+  std::vector<RecordingFlag> flags;
+  for (const auto check : {check_target, check_goals, check_completeness, check_grasp}) {
+    for (RecordingFlag& flag : check(audited, options)) {
+      if (std::ranges::find(accepted, flag.code, &AcceptedFlag::code) != accepted.end())
+        flag.response = FlagResponse::accepted;
+      flags.push_back(std::move(flag));
+    }
+  }
+  return flags;
 }
 
 std::vector<RecordingFlag> audit_movement(const AuditedMovement& audited,
@@ -18,14 +32,7 @@ std::vector<RecordingFlag> audit_movement(const AuditedMovement& audited,
                        [&](const RecordingFlag& flag) {
                          return flag.overlaps(audited.movement.begin_s, audited.movement.end_s);
                        });
-  for (const auto check : {check_target, check_goals, check_completeness, check_grasp}) {
-    for (RecordingFlag& flag : check(audited, options)) {
-      const std::vector<AcceptedFlag>& accepted = audited.recording.accepted_flags;
-      if (std::ranges::find(accepted, flag.code, &AcceptedFlag::code) != accepted.end())
-        flag.response = FlagResponse::accepted;
-      flags.push_back(std::move(flag));
-    }
-  }
+  std::ranges::move(check_movement(audited, options), std::back_inserter(flags));
   return flags;
 }
 

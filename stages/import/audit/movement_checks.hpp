@@ -6,6 +6,7 @@
 #include "core/motion/demonstration.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/motion/movement.hpp"
+#include "core/motion/plan.hpp"
 #include "stages/import/audit/audit_options.hpp"
 
 namespace morphe::imports {
@@ -15,6 +16,9 @@ struct AuditedMovement {
   const Demonstration& recording;  ///< with its objects
   const HumanMotion& motion;
   const Movement& movement;
+  Goals goals = {};                         ///< of the robot's tips in the movement, in any frame
+  std::string target_name = {};             ///< of the target in the configuration
+  std::vector<std::string> obstacles = {};  ///< objects that cannot be the target
 };
 
 // The checks of a movement. Each returns its flags; there are none if the data do not allow it to
@@ -31,8 +35,12 @@ std::vector<RecordingFlag> check_completeness(const AuditedMovement& audited,
 /// A task that takes an object has a grasp (grasp_presence.cpp).
 std::vector<RecordingFlag> check_grasp(const AuditedMovement& audited, const AuditOptions& options);
 
-/// Returns the recording's flags that overlap the movement, and those of all checks above. Codes
-/// that the recording accepts are accepted in the movement too.
+/// Returns the flags of all checks above; accepted are those with a code that the recording
+/// accepts.
+std::vector<RecordingFlag> check_movement(const AuditedMovement& audited,
+                                          const AuditOptions& options);
+
+/// Returns the recording's flags that overlap the movement, and those of check_movement().
 std::vector<RecordingFlag> audit_movement(const AuditedMovement& audited,
                                           const AuditOptions& options);
 

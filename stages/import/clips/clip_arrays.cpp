@@ -33,7 +33,7 @@ Quat rotation_of(const ClipArrays& clip, const NpyArray& array, std::size_t k, i
     for (int col = 0; col < 3; ++col)
       matrix(row, col) = array.values[k * size * size + row * size + col];
   }
-  if (!matrix.allFinite()) return unknown_rotation();
+  if (!matrix.allFinite() || matrix.isZero(0)) return unknown_rotation();
   if (!(matrix * matrix.transpose()).isIdentity(kRotationTolerance) || matrix.determinant() < 0)
     clip.fail(array.name, fmt::format("matrix {} is not a rotation", k));
   return Quat(matrix).normalized();

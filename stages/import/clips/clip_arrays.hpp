@@ -47,7 +47,8 @@ class ClipArrays {
   std::set<std::string> read_;
 };
 
-/// Returns matrix k of an array of 3×3 matrices as a rotation, which is unknown if it has a NaN.
+/// Returns matrix k of an array of 3×3 matrices as a rotation, which is unknown if it has a NaN or
+/// only zeros.
 /// Throws InputError "FILE: KEY: …" if it is not orthonormal within 1 %.
 Quat clip_rotation(const ClipArrays& clip, const files::NpyArray& array, std::size_t k);
 /// Returns matrix k of an array of 4×4 matrices as a pose, with a rotation as above.

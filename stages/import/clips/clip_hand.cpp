@@ -36,6 +36,7 @@ JointOrder order_of(ClipArrays& clip, const std::string& key, const Array2D<Vec3
     clip.fail(prefix + "joint_names", "has no name of a hand joint, such as index_tip");
   if (!unknown.empty())
     add_note(reports, "{}: joints skipped, names unknown: {}", key, fmt::join(unknown, ", "));
+  if (conventions.plausibility_checks) expect_hand_in_order(joints, order, clip.file(), key);
   return order;
 }
 

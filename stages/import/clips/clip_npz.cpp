@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/motion/input_error.hpp"
 #include "stages/import/clips/clip_hand.hpp"
@@ -14,9 +15,13 @@
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/recording/format.hpp"
 #include "stages/import/trackers/add_note.hpp"
+#include "stages/import/trackers/time_unit.hpp"
+#include "stages/import/trackers/unseen_hands.hpp"
 
 namespace morphe::imports {
 namespace {
+
+constexpr double kMinRate_hz = 1, kMaxRate_hz = 1000;  ///< as the periods in time_unit.cpp
 
 /// Returns true for a key of a hand, a body or an object, by which a .npz is recognised as a clip.
 bool is_clip_key(const std::string& key) {
@@ -50,26 +55,46 @@ std::size_t rows_of(ClipArrays& clip) {
   fail_as_no_clip(clip.file(), clip.unread());
 }
 
-std::vector<double> times_of(ClipArrays& clip, std::size_t rows, const Conventions& conventions,
-                             std::vector<std::string>& reports) {
-  std::vector<double> time;
-  if (const auto* const times = clip.numbers("times", {rows})) {
-    time = times->values;
-  } else {
-    const double in_file = clip.number("fps").value_or(0);
-    const double rate_hz = resolve_rate_hz(in_file, conventions, clip.file(), reports);
-    for (std::size_t i = 0; i < rows; ++i) time.push_back(static_cast<double>(i) / rate_hz);
+/// Returns the seconds in one unit of the clip's times. A given rate is that of their median step.
+double seconds_per_time(const std::vector<double>& times, const Conventions& conventions,
+                        const std::string& file, std::vector<std::string>& reports) {
+  if (!conventions.rate_hz) {
+    std::vector<std::string> notes;
+    const double seconds = seconds_per_unit("times", "", times, file, notes);
+    if (seconds != 1) std::ranges::move(notes, std::back_inserter(reports));
+    return seconds;
   }
-  clip.expect_increasing("times", time);
+  const double step = median_step(times);
+  return 1 / (resolve_rate_hz(1 / step, conventions, file, reports) * step);
+}
+
+ClipClock clock_of(ClipArrays& clip, std::size_t rows, const Conventions& conventions,
+                   std::vector<std::string>& reports) {
+  ClipClock clock;
   if (rows < 2) throw InputError(fmt::format("{}: has fewer than two frames", clip.file()));
-  return time;
+  if (const auto* const times = clip.numbers("times", {rows})) {
+    clip.expect_increasing("times", times->values);
+    clock.seconds = seconds_per_time(times->values, conventions, clip.file(), reports);
+    for (const double value : times->values) clock.time.push_back(clock.seconds * value);
+    return clock;
+  }
+  const double in_file = clip.number("fps").value_or(0);
+  if (in_file != 0 && !(in_file >= kMinRate_hz && in_file <= kMaxRate_hz) && !conventions.rate_hz) {
+    throw UnresolvedConvention(
+        "rate", fmt::format("{}: fps: {:.4g} frames per second is implausible; give --rate or "
+                            "`rate_hz:`",
+                            clip.file(), in_file));
+  }
+  const double rate_hz = resolve_rate_hz(in_file, conventions, clip.file(), reports);
+  for (std::size_t i = 0; i < rows; ++i) clock.time.push_back(static_cast<double>(i) / rate_hz);
+  return clock;
 }
 
 Quat quaternion(const ClipArrays& clip, const files::NpyArray& array, std::size_t k) {
   constexpr double kUnitNormTolerance = 1e-3, kUnitNormRounding = 1e-15;
   const double* const q = array.values.data() + 4 * k;  // w, x, y, z
   const Quat rotation(q[0], q[1], q[2], q[3]);
-  if (!is_known(rotation)) return unknown_rotation();
+  if (!is_known(rotation) || rotation.coeffs().isZero(0)) return unknown_rotation();
   const double norm = rotation.norm();
   if (std::abs(norm - 1) > kUnitNormTolerance)
     clip.fail(array.name, fmt::format("quaternion {} has length {:.4g}, must be 1", k, norm));
@@ -121,7 +146,7 @@ void drop_duplicate_joints(HandClip& clip) {
   }
 }
 
-void read_clip_metadata(ClipArrays& clip, Demonstration& demonstration) {
+void read_clip_metadata(ClipArrays& clip, double seconds, Demonstration& demonstration) {
   demonstration.subject = clip.text("subject").value_or("");
   demonstration.task = clip.text("task").value_or("");
   demonstration.source = clip.text("source").value_or("");
@@ -140,9 +165,9 @@ void read_clip_metadata(ClipArrays& clip, Demonstration& demonstration) {
   for (std::size_t k = 0; k < phases.size(); ++k) {
     const auto phase = enum_from_name<PhaseKind>(phases[k]);
     if (!phase) clip.fail("label_phases", fmt::format("'{}' is not a phase", phases[k]));
-    demonstration.labels.push_back({times->values[2 * k], times->values[2 * k + 1], *phase});
+    demonstration.labels.push_back(
+        {seconds * times->values[2 * k], seconds * times->values[2 * k + 1], *phase});
   }
-  demonstration.import_notes = clip.texts("reports");
 }
 
 std::optional<Side> declared_hand(ClipArrays& clip) {
@@ -152,13 +177,38 @@ std::optional<Side> declared_hand(ClipArrays& clip) {
   return side;
 }
 
-TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files,
+/// Returns true for a key that only files of FlashDexRetarget have, whose Z is up.
+bool is_flashdex(const ClipArrays& clip) {
+  return clip.has("obj_right_pose") || clip.has("obj_left_pose") || clip.has("desk_context_poses");
+}
+
+/// Returns the axes to propose for a clip without `axes`: with Y up, as headsets have it, if the
+/// first array of points is mainly below the plane z = 0 or is higher along y than along z.
+std::string usual_axes(ClipArrays& clip) {
+  Vec3 sum = Vec3::Zero();
+  for (const Side side : {Side::right, Side::left}) {
+    const auto* const joints = clip.numbers(clip_prefix(side) + "joints",
+                                            {ClipArrays::kAnyLength, ClipArrays::kAnyLength, 3});
+    for (std::size_t k = 0; joints != nullptr && k + 2 < joints->values.size(); k += 3) {
+      const Vec3 point = Eigen::Map<const Vec3>(joints->values.data() + k);
+      if (is_known(point)) sum += point;
+    }
+  }
+  return sum.z() < 0 || sum.y() > sum.z() ? "x -z y" : "x y z";
+}
+
+TrackerFrame frame_of(ClipArrays& clip, const RecordingFiles& files, bool axes_matter,
                       std::vector<std::string>& reports) {
   const std::optional<std::string> axes = clip.text("axes");
-  const char* const reason = axes ? "as stated in the clip"
-                                  : "assumed (the clip format); facing direction not in the file";
-  return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"), reason,
-                       reports);
+  if (!axes && axes_matter && !is_flashdex(clip) && files.conventions.axes.empty()) {
+    throw_unknown_axes(clip.file(), ", since the clip has no key 'axes', and headsets have Y up",
+                       usual_axes(clip));
+  }
+  const char* const reason =
+      axes ? "as stated in the clip"
+           : "those of FlashDexRetarget's files, with Z up; facing direction not in the file";
+  return tracker_frame(files, axes.value_or("x y z"), clip.text("unit").value_or("m"),
+                       axes || axes_matter ? reason : "", reports);
 }
 
 }  // namespace
@@ -181,30 +231,37 @@ Demonstration read_clip_npz(const RecordingFiles& files) {
   ClipArrays clip(files::read_npz(files.file));
   if (is_spider(clip)) return read_spider(clip, files);
   Demonstration demonstration;
-  read_clip_metadata(clip, demonstration);
+  demonstration.import_notes = clip.texts("reports");
   std::vector<std::string>& reports = demonstration.import_notes;
   if (const auto declared = declared_hand(clip); declared && *declared != files.hand) {
     add_note(reports, "the clip states that the {} hand reaches; the {} one was requested and used",
              name_of(*declared), name_of(files.hand));
   }
-  const TrackerFrame frame = frame_of(clip, files, reports);
+  const bool in_hand = clip.number("in_hand").value_or(0) != 0;
+  const TrackerFrame frame = frame_of(clip, files, !in_hand, reports);
   HandClip hands;
   const std::size_t rows = rows_of(clip);
-  hands.time = times_of(clip, rows, files.conventions, reports);
+  const ClipClock clock = clock_of(clip, rows, files.conventions, reports);
+  hands.time = clock.time;
+  read_clip_metadata(clip, clock.seconds, demonstration);
   hands.reconstructed = clip.number("rebuilt").value_or(0) != 0;
   for (const Side side : {Side::right, Side::left}) {
     hands.hands[side_index(side)] =
         read_clip_hand(clip, side, rows, frame, hands.reconstructed, files.conventions, reports);
   }
-  const bool in_hand = clip.number("in_hand").value_or(0) != 0;
   hands.body = read_body(clip, rows, frame);
-  hands.objects = read_clip_objects(clip, hands.time, frame, reports);
+  hands.objects = read_clip_objects(clip, clock, frame, reports);
   clip.number("fps");  // a known key, even if it was not needed
   if (const std::vector<std::string> unread = clip.unread(); !unread.empty())
     add_note(reports, "keys skipped, not keys of a clip: {}", fmt::join(unread, ", "));
-  if (in_hand) {
-    add_shape(std::move(hands), files, "the clip's points are in the frame of the hand",
-              demonstration);
+  const auto& used = hands.hands[side_index(files.hand)];
+  const bool local = hands.body.names.empty() && used && is_wrist_at_origin(*used);
+  if (in_hand || local) {
+    add_shape(
+        std::move(hands), files,
+        local ? "the wrist is the origin in every frame: the points are in the frame of the hand"
+              : "the clip's points are in the frame of the hand",
+        demonstration);
     return demonstration;
   }
   drop_duplicate_joints(hands);

@@ -181,15 +181,31 @@ void read_shape(ClipArrays& clip, const std::string& prefix, double metres,
   }
 }
 
-SceneObject read_object(ClipArrays& clip, const std::string& name, const std::vector<double>& time,
+/// Returns an object's own times in seconds. They may not last much longer than the clip.
+std::vector<double> own_times(const ClipArrays& clip, const files::NpyArray& times,
+                              const ClipClock& clock) {
+  constexpr double kMaxDurationRatio = 100;  // chosen by hand: ms, taken for s, last 1000 times
+  std::vector<double> seconds;
+  for (const double value : times.values) seconds.push_back(clock.seconds * value);
+  clip.expect_increasing(times.name, seconds);
+  const double clip_s = clock.time.back() - clock.time.front();
+  if (!seconds.empty() && seconds.back() - seconds.front() > kMaxDurationRatio * clip_s) {
+    clip.fail(times.name, fmt::format("last {:.6g} s, but the clip {:.6g} s; must be in its unit",
+                                      seconds.back() - seconds.front(), clip_s));
+  }
+  return seconds;
+}
+
+SceneObject read_object(ClipArrays& clip, const std::string& name, const ClipClock& clock,
                         const TrackerFrame& frame, std::vector<std::string>& reports) {
+  const std::vector<double>& time = clock.time;
   const std::string prefix = "object_" + name + "_";
   SceneObject object;
   object.name = name;
   const NpyArray* const poses = clip.numbers(prefix + "pose", {ClipArrays::kAnyLength, 4, 4});
   const std::size_t count = poses->shape[0];
   if (const auto* const times = clip.numbers(prefix + "times", {count})) {
-    object.time = times->values;
+    object.time = own_times(clip, *times, clock);
   } else if (count == time.size()) {
     object.time = time;
   } else if (count == 1) {
@@ -198,7 +214,6 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
     clip.fail(prefix + "pose", fmt::format("has {} poses, but the clip has {} frames; give {}times",
                                            count, time.size(), prefix));
   }
-  clip.expect_increasing(prefix + "times", object.time);
   if (count == 0) clip.fail(prefix + "pose", "has no poses");
   add_poses(clip, *poses, 0, count, frame, object);
   read_shape(clip, prefix, frame.unit_m, reports, object);
@@ -207,12 +222,13 @@ SceneObject read_object(ClipArrays& clip, const std::string& name, const std::ve
 
 }  // namespace
 
-std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const std::vector<double>& time,
+std::vector<SceneObject> read_clip_objects(ClipArrays& clip, const ClipClock& clock,
                                            const TrackerFrame& frame,
                                            std::vector<std::string>& reports) {
+  const std::vector<double>& time = clock.time;
   std::vector<SceneObject> objects;
   for (const std::string& name : clip.names_between("object_", "_pose"))
-    add_object(read_object(clip, name, time, frame, reports), objects);
+    add_object(read_object(clip, name, clock, frame, reports), objects);
   for (const Side side : {Side::right, Side::left})
     add_handled_object(clip, side, time, frame, reports, objects);
   add_context(clip, time, frame, reports, objects);

@@ -27,11 +27,17 @@ JointOrder order_by_names(const std::vector<std::string>& names, std::vector<std
 /// sequence, no joint is folded back on itself, and the thumb is on the index finger's side.
 double hand_similarity(const Array2D<Vec3>& joints, const std::array<int, kKeypointCount>& order);
 
+/// Throws UnresolvedConvention "joint_order" if the joints are no hand in the order that the file
+/// states, by name or by the names of the joints.
+void expect_hand_in_order(const Array2D<Vec3>& joints, const JointOrder& stated,
+                          const std::string& file, const std::string& key);
+
 /// Returns the order that `conventions` or, without, `in_file` names; if both are "", the only
 /// known order of as many joints in which the joints form a hand. Throws UnresolvedConvention
-/// "joint_order" if they form a hand in no known order or in several (without plausibility checks,
-/// only if no order has as many joints; otherwise the likeliest is returned). Throws InputError
-/// "FILE: KEY: …" for a named order that is unknown or has another number of joints.
+/// "joint_order" if they contradict that of the file, or form a hand in no known order or in
+/// several (without plausibility checks, only if no order has as many joints; otherwise the
+/// likeliest is returned). Throws InputError "FILE: KEY: …" for a named order that is unknown or
+/// has another number of joints.
 JointOrder joint_order_of(const Array2D<Vec3>& joints, const std::string& in_file,
                           const Conventions& conventions, const std::string& file,
                           const std::string& key);

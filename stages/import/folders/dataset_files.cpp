@@ -153,7 +153,7 @@ Demonstration read_file(const ImportRequest& request, const DatasetFile& file) {
   entry.format = file.descriptor.format;
   entry.names = file.names;
   entry.conventions = request.conventions;
-  return read_recording(entry);
+  return read_recording(entry, false);  // its hand, which the audit must know, is yet to be found
 }
 
 /// Renames the markers that are in the map, since static trials are paired by the names of points.
@@ -223,8 +223,8 @@ DatasetContents dataset_files(const ImportRequest& request) {
                                  return fs::is_directory(path);
                                }) > 1;
   std::vector<DatasetFile> kept;
-  // Indices in left_out. Any table may look like one of points; if it cannot be read, but another
-  // file can, it counts as a file that is not a recording.
+  // Indices in left_out. Any table may look like one of points; if it cannot be read and has no
+  // names of an arm, but another file can, it counts as a file that is not a recording.
   std::vector<std::size_t> unread_tables;
   for (int index = 0; index < std::ssize(request.paths); ++index) {
     const fs::path& path = request.paths[index];
@@ -258,7 +258,9 @@ DatasetContents dataset_files(const ImportRequest& request) {
       const auto* const question = dynamic_cast<const UnresolvedImport*>(&unreadable);
       if (question) merge_proposal(*question, first_question);
       left_out.push_back(skipped_file_from_error(file.path, unreadable));
-      if (file.descriptor.format == "point-csv") unread_tables.push_back(left_out.size() - 1);
+      const bool is_arm = question && !question->names_unresolved;
+      if (file.descriptor.format == "point-csv" && !is_arm)
+        unread_tables.push_back(left_out.size() - 1);
     }
   }
   if (kept.empty() && entries.empty() && first_question) throw UnresolvedImport(*first_question);
@@ -268,6 +270,7 @@ DatasetContents dataset_files(const ImportRequest& request) {
     reason = "not readable as a recording: " +
              reason.substr(std::min(reason.find_first_not_of("0123456789: "), reason.size()));
     left_out[k].failed = false;
+    left_out[k].question.reset();
   }
   files = std::move(kept);
   return contents;

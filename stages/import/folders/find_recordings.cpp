@@ -7,8 +7,10 @@
 #include <map>
 #include <span>
 
+#include "core/config/error_list.hpp"
 #include "stages/import/folders/dataset_files.hpp"
 #include "stages/import/folders/distinct_names.hpp"
+#include "stages/import/folders/given_options.hpp"
 #include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 #include "stages/import/folders/static_pairing.hpp"
@@ -153,23 +155,42 @@ void add_entries(const ImportRequest& request, DatasetContents& contents) {
 
 FoundRecordings find_recordings(const ImportRequest& request) {
   DatasetContents contents = dataset_files(request);
+  expect_effect_of_options(request, contents);
   add_entries(request, contents);
   std::ranges::stable_sort(contents.entries, {}, &NamedEntry::request_index);
   return {assign_unique_names(std::move(contents.entries)), std::move(contents.left_out),
           first_folder(request) != request.paths.end()};
 }
 
-void require_recordings(const ImportRequest& request, const ImportResult& imported) {
-  const auto folder = first_folder(request);
-  if (!imported.entries.empty() || folder == request.paths.end()) return;
-  std::map<std::string, int> counts;  // by reason
-  for (const SkippedFile& file : imported.skipped) {
-    if (file.failed) {
-      const std::size_t second_line = std::min(file.reason.find('\n'), file.reason.size());
-      throw InputError(skip_message(file) + file.reason.substr(second_line));
-    }
-    ++counts[file.reason];
+namespace {
+
+/// Throws one error with those of all files that failed, as the question of the first that has one.
+void throw_failures(const std::vector<SkippedFile>& skipped) {
+  config::ErrorList errors;
+  const UnresolvedImport* question = nullptr;
+  for (const SkippedFile& file : skipped) {
+    if (!file.failed) continue;
+    if (question == nullptr) question = file.question.get();
+    const std::size_t second_line = std::min(file.reason.find('\n'), file.reason.size());
+    errors.add(skip_message(file) + file.reason.substr(second_line));
   }
+  try {
+    errors.throw_if_any();
+  } catch (const InputError& error) {
+    if (question == nullptr) throw;
+    throw question->with_message(error.what());
+  }
+}
+
+}  // namespace
+
+void require_recordings(const ImportRequest& request, const ImportResult& imported) {
+  if (!imported.entries.empty()) return;
+  throw_failures(imported.skipped);
+  const auto folder = first_folder(request);
+  if (folder == request.paths.end()) return;
+  std::map<std::string, int> counts;  // by reason
+  for (const SkippedFile& file : imported.skipped) ++counts[file.reason];
   std::string reasons;
   for (const auto& [reason, count] : counts)
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : "; ", count, reason);

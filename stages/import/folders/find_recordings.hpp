@@ -24,8 +24,9 @@ struct FoundRecordings {
 /// the static trial or of a folder states. Assumptions are in the entry's notes.
 FoundRecordings find_recordings(const ImportRequest& request);
 
-/// If the request has a folder and no recording was imported, throws InputError with the error of
-/// the first recording that could not be read or, without one, with all reasons and their counts.
+/// If no recording was imported, throws InputError with the errors of all that could not be read,
+/// as UnresolvedImport if the user can answer one, or, for a folder without such errors, with all
+/// reasons and their counts.
 void require_recordings(const ImportRequest& request, const ImportResult& imported);
 
 }  // namespace morphe::imports

@@ -21,12 +21,16 @@ struct ImportRequest {
   Conventions conventions;
   std::optional<HandSelection> hand = {};     ///< without a value, the one that reaches
   std::filesystem::path results_folder = {};  ///< skipped inside other folders; may be empty
+  bool forward_given = false;  ///< conventions.forward is the user's, also if it is the default
+  /// Skip recordings that cannot be read also if manifests list them or if they are given directly,
+  /// as those of folders are, as long as another one can be read.
+  bool keep_going = false;
 };
 
 /// The result of an import.
 struct ImportResult {
   std::vector<ManifestEntry> entries;  ///< of the recordings that were read, as in a manifest
-  std::vector<SkippedFile> skipped;    ///< files that were not imported, if a path is a folder
+  std::vector<SkippedFile> skipped;    ///< files that were not imported
 };
 
 }  // namespace morphe::imports

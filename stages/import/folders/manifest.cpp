@@ -62,7 +62,8 @@ std::vector<Label> read_labels(const config::ConfigNode& node, config::ErrorList
     Label& label = labels.emplace_back();
     config::FieldReader reader(item, problems);
     label_keys(reader, label);
-    if (problems.none() && !(label.end_s > label.begin_s)) item.fail("must end after it begins");
+    if (problems.none() && !(label.end_s > label.begin_s))
+      problems.attempt([&] { item.fail("must end after it begins"); });
   }
   return labels;
 }
@@ -122,8 +123,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
                                      {"hand_length", entry.hand_length},
                                      {"hand_breadth", entry.hand_breadth},
                                      {"rate_hz", entry.conventions.rate_hz}}) {
-      if (problems.none() && value && !(*value > 0))
-        (item.has(key) ? item : root)[key].fail("must be positive");
+      if (!value || *value > 0) continue;
+      problems.attempt([&] { (item.has(key) ? item : root)[key].fail("must be positive"); });
     }
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();

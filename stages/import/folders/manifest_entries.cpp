@@ -48,8 +48,8 @@ std::vector<ManifestEntry> entries_of(const ImportRequest& request, const fs::pa
   for (ManifestEntry& entry : read_manifest(manifest)) {
     if (!request.format.empty()) entry.format = request.format;
     if (!request.name_map.empty()) entry.names = request.name_map.string();
-    if (request.conventions.forward == ForwardSource::recorded)
-      entry.conventions.forward = ForwardSource::recorded;
+    if (request.forward_given || request.conventions.forward == ForwardSource::recorded)
+      entry.conventions.forward = request.conventions.forward;
     if (!in_folder) override_conventions(request.conventions, entry.conventions);
     if (!is_requested(entry, hand)) continue;
     if (hand && !entry.split_from_both) entry.hand = hand;

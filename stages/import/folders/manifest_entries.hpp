@@ -12,7 +12,7 @@ namespace morphe::imports {
 /// Returns the hand that reaches, if a clip states it. Throws InputError for a damaged clip.
 std::optional<Side> hand_in_file(const std::filesystem::path& file, const std::string& format);
 
-/// Returns the recordings of a manifest. The format, names and `forward: recorded` of the request
+/// Returns the recordings of a manifest. The format, names and forward direction of the request
 /// replace those of the manifest. If the manifest was given directly, not found in a folder
 /// (`in_folder`), axes, unit, rate, joint order and hand of the request do so too; entries of the
 /// other hand are left out. If neither gives a hand, the recording's file may (hand_in_file()).

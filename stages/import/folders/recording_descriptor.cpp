@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <optional>
 
 namespace morphe::imports {
 namespace {
@@ -30,18 +31,17 @@ double rms_deviation(const Array2D<Vec3>& position, std::size_t column) {
   return std::sqrt(std::max(0.0, square_sum / count - (sum / count).squaredNorm()));
 }
 
-void add_points(const std::vector<std::string>& names, const Array2D<Vec3>& position,
+using Deviations = std::map<std::string, double>;  // rms [m] by name
+
+template <class Stream>
+void add_points(const std::optional<Stream>& stream, Deviations& deviations,
                 RecordingDescriptor& descriptor) {
-  std::vector<int> order(names.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](int k) { return names[k]; });
-  for (const int k : order) {
-    const double deviation_m = rms_deviation(position, k);
-    if (std::isnan(deviation_m)) continue;
-    descriptor.points.push_back(names[k]);
-    descriptor.rms_deviation_m.push_back(deviation_m);
+  if (!stream) return;
+  for (std::size_t k = 0; k < stream->names.size(); ++k) {
+    const double deviation_m = rms_deviation(stream->position, k);
+    if (!std::isnan(deviation_m)) deviations.emplace(stream->names[k], deviation_m);
   }
-  descriptor.frame_count = position.rows;
+  descriptor.frame_count = std::max(descriptor.frame_count, stream->position.rows);
 }
 
 }  // namespace
@@ -50,13 +50,14 @@ RecordingDescriptor recording_descriptor(const Demonstration& demonstration) {
   RecordingDescriptor descriptor;
   descriptor.subject = demonstration.subject;
   const Streams& streams = demonstration.streams;
-  if (streams.markers) {
-    descriptor.has_markers = true;
-    add_points(streams.markers->names, streams.markers->position, descriptor);
-  } else if (streams.sensors) {
-    add_points(streams.sensors->names, streams.sensors->position, descriptor);
-  } else if (streams.skeleton) {
-    add_points(streams.skeleton->names, streams.skeleton->position, descriptor);
+  descriptor.has_markers = streams.markers.has_value();
+  Deviations deviations;
+  add_points(streams.markers, deviations, descriptor);
+  add_points(streams.skeleton, deviations, descriptor);
+  if (deviations.empty()) add_points(streams.sensors, deviations, descriptor);
+  for (const auto& [name, deviation_m] : deviations) {
+    descriptor.points.push_back(name);
+    descriptor.rms_deviation_m.push_back(deviation_m);
   }
   return descriptor;
 }

@@ -1,12 +1,20 @@
 #include "stages/import/folders/skipped_file.hpp"
 
+#include <utility>
+
 namespace morphe::imports {
 
 SkippedFile skipped_file_from_error(const std::filesystem::path& file, const InputError& error) {
   std::string reason = error.what();
   if (reason.starts_with(file.string())) reason.erase(0, file.string().size());
   reason.erase(0, reason.find_first_not_of(": "));
-  return {file, reason, true};
+  SkippedFile skipped{file, reason, true};
+  if (const auto* const question = dynamic_cast<const UnresolvedImport*>(&error)) {
+    auto kept = std::make_shared<UnresolvedImport>(*question);
+    kept->demonstration.reset();
+    skipped.question = std::move(kept);
+  }
+  return skipped;
 }
 
 std::string skip_message(const SkippedFile& file) {

@@ -3,6 +3,7 @@
 // and X to the right, so coordinates are used unchanged.
 #include <algorithm>
 
+#include "core/files/table_text.hpp"
 #include "stages/import/formats/adroit_hand.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/format.hpp"
@@ -25,8 +26,10 @@ bool recognises_adroit_csv(std::string_view head) {
 }
 
 Demonstration read_adroit_csv(const RecordingFiles& files) {
-  const files::CsvText csv = files::read_csv(files.file);
+  const files::CsvText csv = files::read_table(files.file);
   if (!files.static_trial.empty()) csv.fail(1, "static_trial", "this format has no static trial");
+  if (!files.name_map.empty())
+    csv.fail(1, "names", "this format has no names to map; remove names");
   const NamedColumns columns(csv, !csv.lines.empty() && csv.lines[0].starts_with('#') ? 2 : 1);
   const std::size_t rows = columns.rows();
   std::vector<double> time;

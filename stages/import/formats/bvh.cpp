@@ -22,9 +22,10 @@ struct PlausibleRange {
 
   bool contains(double value) const { return value >= min && value <= max; }
 };
-/// For the time between two frames, the farthest joint's distance from the root, the upper arm.
-constexpr PlausibleRange kFramePeriodRange_s{1e-5, 10}, kSkeletonExtentRange_m{0.2, 3.0},
-    kUpperArmRange_m{0.15, 0.5};
+/// For the time between two frames; the farthest joint's distance from the root, of a body and of a
+/// skeleton that may be a hand alone (a small child's is 0.1 m long); the upper arm.
+constexpr PlausibleRange kFramePeriodRange_s{1e-5, 10}, kBodyExtentRange_m{0.2, 3.0},
+    kHandExtentRange_m{0.07, 3.0}, kUpperArmRange_m{0.15, 0.5};
 
 BodyStream skeleton_names(const BvhFile& bvh, const RecordingFiles& files) {
   BodyStream body;
@@ -33,6 +34,13 @@ BodyStream skeleton_names(const BvhFile& bvh, const RecordingFiles& files) {
   for (const BvhJoint& joint : bvh.joints)
     body.parents.push_back(joint.parent < 0 ? "" : body.names[joint.parent]);
   return body;
+}
+
+/// Returns true unless there are joints of a trunk or an arm.
+bool may_be_hand_alone(const std::vector<std::string>& names) {
+  return std::ranges::none_of(names, [](const std::string& name) {
+    return name.ends_with("_shoulder") || name.ends_with("_elbow") || name.ends_with("_hip");
+  });
 }
 
 void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
@@ -44,7 +52,8 @@ void check_size(const BvhFile& bvh, const std::vector<std::string>& names,
   };
   double extent = 0;
   for (const Vec3& point : rest) extent = std::max(extent, (point - rest[0]).norm());
-  check("the distance of the farthest joint from the root", extent, kSkeletonExtentRange_m);
+  check("the distance of the farthest joint from the root", extent,
+        may_be_hand_alone(names) ? kHandExtentRange_m : kBodyExtentRange_m);
   for (const std::string side : {"right_", "left_"}) {
     const int shoulder = name_index(names, side + "shoulder");
     const int elbow = name_index(names, side + "elbow");

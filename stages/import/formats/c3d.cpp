@@ -27,9 +27,8 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   C3dPoints points = read_c3d_points(file);
   MarkerRecording recording;
   recording.import_notes = std::move(points.import_notes);
-  for (char& c : points.unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   const std::string source = file.string();
-  const double metres = resolve_unit_m(points.unit, conventions, source, recording.import_notes);
+  recording.unit_m = resolve_unit_m(points.unit, conventions, source, recording.import_notes);
   const double rate_hz =
       resolve_rate_hz(points.rate_hz, conventions, source, recording.import_notes);
   const Vec3 right = axis_of(points.x_screen), up = axis_of(points.y_screen);
@@ -44,7 +43,7 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   MarkerStream& markers = recording.markers;
   markers.names = std::move(points.labels);
   markers.position = std::move(points.position);
-  for (Vec3& point : markers.position.values) point *= metres;
+  for (Vec3& point : markers.position.values) point *= recording.unit_m;
   for (std::size_t i = 0; i < markers.position.rows; ++i)
     markers.time.push_back((static_cast<double>(points.first_frame + i) - 1) / rate_hz);
   return recording;

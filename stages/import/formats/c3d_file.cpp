@@ -6,10 +6,12 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <set>
+#include <string_view>
 
 #include "core/motion/input_error.hpp"
 #include "stages/import/formats/c3d_parameters.hpp"
+#include "stages/import/formats/c3d_quantities.hpp"
+#include "stages/import/recording/repeated_names.hpp"
 #include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
@@ -23,6 +25,20 @@ constexpr double kMaxWord = 65535;  ///< largest value of a field of two bytes
 struct C3dHeader {
   std::size_t points, analog_values, first_frame, last_frame, data_block, samples_per_frame;
   double scale, rate_hz;
+};
+
+/// The frames of a file: bytes from `start` on, each frame of `size`.
+struct FrameBytes {
+  const C3dBytes& bytes;
+  std::size_t start, size;
+
+  std::size_t all() const { return bytes.size() - std::min(start, bytes.size()); }
+  std::size_t count() const { return all() / size; }
+  /// Returns true if only zeros follow the last whole frame.
+  bool ends_whole() const {
+    const std::string_view rest = std::string_view(bytes.bytes).substr(bytes.size() - all() % size);
+    return rest.find_first_not_of('\0') == std::string_view::npos;
+  }
 };
 
 C3dBytes read_bytes(const std::filesystem::path& file) {
@@ -51,9 +67,25 @@ std::size_t find_parameters(C3dBytes& bytes) {
   return start;
 }
 
-/// Returns the number of frames by the field with the largest range of those that exist, and sets
-/// points.first_frame. Adds a note if a field states another number.
-double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3dPoints& points) {
+/// Returns the stated number of frames if the file has as many, or one less if it ends with a whole
+/// frame: some programs count one too many.
+double present_frames(const C3dParameters& parameters, double stated, const FrameBytes& frames,
+                      std::vector<std::string>& notes) {
+  const double present = static_cast<double>(frames.count());
+  if (stated >= 1 && stated <= present) return stated;
+  if (present < 1 || stated != present + 1 || !frames.ends_whole()) {
+    parameters.fail("POINT:FRAMES",
+                    fmt::format("{} frames are stated from byte {} on, but the file has {}", stated,
+                                frames.start, present));
+  }
+  add_note(notes, "{} frames are stated, the file has {}; these were read", stated, present);
+  return present;
+}
+
+/// Returns the number of frames by the field with the largest range of those that exist, as far as
+/// the file has them, and sets points.first_frame. Adds a note if a field states another number.
+double frame_count(const C3dHeader& header, const C3dParameters& parameters,
+                   const FrameBytes& frames, C3dPoints& points) {
   const double in_header =
       static_cast<double>(header.last_frame) - static_cast<double>(header.first_frame) + 1;
   const double in_point = parameters.number("POINT:FRAMES", in_header);
@@ -68,6 +100,7 @@ double frame_count(const C3dHeader& header, const C3dParameters& parameters, C3d
       parameters.fail("TRIAL:ACTUAL_START_FIELD", fmt::format("{} is not a frame number", first));
     points.first_frame = static_cast<std::size_t>(first);
   }
+  count = present_frames(parameters, count, frames, points.import_notes);
   const auto compare = [&](const char* place, double stated) {
     if (stated == count || (count >= kMaxWord && stated <= kMaxWord)) return;
     add_note(points.import_notes, "{} states {} frames; {} were read", place, stated, count);
@@ -136,14 +169,11 @@ std::vector<std::string> read_labels(const C3dParameters& parameters, std::size_
   const std::size_t named = labels.size();
   labels.resize(points);
   int unnamed = 0;
-  std::set<std::string> known;
   for (std::size_t k = 0; k < points; ++k) {
     if (labels[k].empty()) {
       labels[k] = fmt::format("*{}", k + 1);
       ++unnamed;
     }
-    if (!known.insert(labels[k]).second)
-      parameters.fail("POINT:LABELS", fmt::format("'{}' appears twice", labels[k]));
   }
   if (unnamed > 0) add_note(reports, "points without a name: {}", unnamed);
   if (named > points)
@@ -172,9 +202,12 @@ void read_points(const C3dBytes& bytes, std::size_t start, std::size_t frame_byt
 C3dPoints read_c3d_points(const std::filesystem::path& file) {
   C3dBytes bytes = read_bytes(file);
   const std::size_t parameter_start = find_parameters(bytes);
-  const C3dParameters parameters(bytes, parameter_start);
   const C3dHeader header{bytes.word(2),  bytes.word(4),  bytes.word(6),  bytes.word(8),
                          bytes.word(16), bytes.word(18), bytes.real(12), bytes.real(20)};
+  const std::size_t next_block = bytes.byte(0) + std::size_t{bytes.byte(parameter_start + 2)};
+  // Some programs state too few blocks for the parameters; the data follow them in any case.
+  const std::size_t section_end = (std::max(next_block, header.data_block) - 1) * kBlockSize_bytes;
+  const C3dParameters parameters(bytes, parameter_start, section_end);
   const double used = parameters.number("POINT:USED", static_cast<double>(header.points));
   if (header.points == 0 || used != static_cast<double>(header.points)) {
     parameters.fail("POINT:USED",
@@ -182,24 +215,21 @@ C3dPoints read_c3d_points(const std::filesystem::path& file) {
   }
   C3dPoints points;
   points.labels = read_labels(parameters, header.points, points.import_notes);
+  const std::vector<std::string> quantities = listed_quantities(parameters, points.labels);
+  number_repeated_names(points.labels, points.import_notes);
   points.unit = parameters.text("POINT:UNITS");
   points.x_screen = parameters.text("POINT:X_SCREEN");
   points.y_screen = parameters.text("POINT:Y_SCREEN");
   points.rate_hz = parameters.number("POINT:RATE", header.rate_hz);
   const double scale = scale_of(header, parameters);
-  const std::size_t next_block = bytes.byte(0) + std::size_t{bytes.byte(parameter_start + 2)};
   const std::size_t start = data_start(header, parameters, next_block, points.import_notes);
   const std::size_t frame_bytes =
       (4 * header.points + analog_count(header, parameters)) * (scale < 0 ? 4 : 2);
-  const double frames = frame_count(header, parameters, points);
-  const std::size_t max_frames = (bytes.size() - std::min(start, bytes.size())) / frame_bytes;
-  if (!(frames >= 1 && frames <= static_cast<double>(max_frames))) {
-    parameters.fail("POINT:FRAMES",
-                    fmt::format("{} frames are stated from byte {} on, but the file has {}", frames,
-                                start, max_frames));
-  }
+  const double frames =
+      frame_count(header, parameters, FrameBytes{bytes, start, frame_bytes}, points);
   points.position = Array2D<Vec3>(static_cast<std::size_t>(frames), header.points, unknown_point());
   read_points(bytes, start, frame_bytes, scale, points.position);
+  remove_quantities(parameters, quantities, points);
   const std::size_t rest = bytes.size() - start - points.position.rows * frame_bytes;
   if (rest >= kBlockSize_bytes)
     add_note(points.import_notes, "{} bytes after the last frame skipped", rest);

@@ -27,7 +27,8 @@ int signed_byte(const C3dBytes& bytes, std::size_t offset) {
 
 }  // namespace
 
-C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(bytes) {
+C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start, std::size_t section_end)
+    : bytes_(bytes) {
   struct Named {
     int group;
     std::string name;
@@ -35,7 +36,7 @@ C3dParameters::C3dParameters(const C3dBytes& bytes, std::size_t start) : bytes_(
   };
   std::map<int, std::string> groups;
   std::vector<Named> parameters;
-  for (std::size_t offset = start + 4;;) {
+  for (std::size_t offset = start + 4; offset + 2 < section_end;) {
     const int length = std::abs(signed_byte(bytes, offset));
     if (length == 0) break;
     const int group = signed_byte(bytes, offset + 1);

@@ -11,9 +11,10 @@ namespace morphe::imports {
 /// The parameters of a C3D file by "GROUP:NAME", in capitals. A value is read on request.
 class C3dParameters {
  public:
-  /// Reads the section that begins at `start`, after its four bytes of header. Throws InputError
-  /// for a record that exceeds the file, has an unknown type, or overlaps the next one.
-  C3dParameters(const C3dBytes& bytes, std::size_t start);
+  /// Reads the section that begins at `start`, after its four bytes of header, and ends before
+  /// `section_end`: the last record of some files points beyond. Throws InputError for a record
+  /// that exceeds the file, has an unknown type, or overlaps the next one.
+  C3dParameters(const C3dBytes& bytes, std::size_t start, std::size_t section_end);
 
   /// Returns true if the parameter exists.
   bool has(const std::string& key) const { return records_.contains(key); }

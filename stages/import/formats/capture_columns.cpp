@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <string_view>
 
 #include "core/human/glove.hpp"
+#include "stages/import/recording/repeated_names.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -58,13 +58,12 @@ class HeaderReader {
 
   Columns read() {
     const auto cells = csv_.cells(1);
-    std::set<std::string_view> known;
-    for (int c = 0; c < std::ssize(cells); ++c) {
-      if (cells[c].empty()) csv_.fail(1, fmt::format("column {}", c + 1), "has no name");
-      if (!known.insert(cells[c]).second) csv_.fail(1, cells[c], "the column appears twice");
-      columns_.names.emplace_back(cells[c]);
-      add(c, cells[c]);
-    }
+    columns_.names.assign(cells.begin(), cells.end());
+    const auto unnamed = std::ranges::find(columns_.names, "") - columns_.names.begin();
+    if (unnamed < std::ssize(cells))
+      csv_.fail(1, fmt::format("column {}", unnamed + 1), "has no name");
+    number_repeated_names(columns_.names, columns_.notes);
+    for (int c = 0; c < std::ssize(cells); ++c) add(c, columns_.names[c]);
     for (Columns::Body& body : bodies_) {
       check(body);
       const bool tracked = body.rotation_format != Columns::RotationFormat::none;

@@ -39,11 +39,13 @@ struct CaptureColumns {
   std::vector<Body> bodies, points;         ///< with and without a rotation
   std::vector<GloveSensor> glove;           ///< in the order of kGloveSensors
   std::vector<std::string> left_out;        ///< names of all other columns
+  std::vector<std::string> notes;           ///< on repeated names
 };
 
 /// Reads the header, line 1. `renamed` maps recorded names of bodies, points and glove sensors to
-/// Morphe's; keys that occur are added to `used`. Throws InputError for repeated or missing
-/// columns, two rotations of a body, and missing or inconsistent units.
+/// Morphe's; keys that occur are added to `used`. Repeated names are
+/// numbered. Throws InputError for missing columns, two rotations of a body, and missing or
+/// inconsistent units.
 CaptureColumns read_capture_columns(const files::CsvText& csv,
                                     const std::map<std::string, std::string>& renamed,
                                     std::vector<std::string>& used);

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/files/table_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/formats/capture_table.hpp"
 #include "stages/import/formats/glove_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
+#include "stages/import/recording/conventions.hpp"
+#include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_clip.hpp"
 
@@ -25,20 +28,12 @@ struct CaptureFrame {
   double metres;  ///< in one unit of a column without a suffix
 };
 
-/// Returns true if all values exist, false if all are missing; otherwise throws InputError.
-bool is_complete(const files::CsvText& csv, std::size_t row, std::span<const double> values,
-                 std::span<const int> columns, const std::string& key, const char* parts) {
-  const auto count =
-      std::ranges::count_if(columns, [&](int column) { return std::isfinite(values[column]); });
-  if (count != 0 && count != std::ssize(columns))
-    csv.fail(row + 2, key, fmt::format("has only some of {}", parts));
-  return count != 0;
+bool is_complete(std::span<const double> values, std::span<const int> columns) {
+  return std::ranges::all_of(columns, [&](int column) { return std::isfinite(values[column]); });
 }
 
-Vec3 position_of(const CaptureFrame& frame, const Columns::Body& body, std::size_t row,
+Vec3 position_of(const CaptureFrame& frame, const Columns::Body& body,
                  std::span<const double> values, double metres) {
-  if (!is_complete(frame.csv, row, values, body.position, body.name, "x, y, z"))
-    return unknown_point();
   const Vec3 recorded(values[body.position[0]], values[body.position[1]], values[body.position[2]]);
   return frame.world_from_recorded * (metres * recorded);
 }
@@ -53,8 +48,7 @@ Quat rotation_of(const CaptureFrame& frame, const Columns::Body& body, std::size
   const auto value = [&](int k) { return values[body.rotation[k]]; };
   Quat recorded;
   if (body.rotation_format == Columns::RotationFormat::quaternion) {
-    if (!is_complete(frame.csv, row, values, body.rotation, body.name, "qw, qx, qy, qz"))
-      return unknown_rotation();
+    if (!is_complete(values, body.rotation)) return unknown_rotation();
     recorded = Quat(value(0), value(1), value(2), value(3));
     const double norm = recorded.norm(), norm_error = std::abs(norm - 1);
     if (norm == 0) {
@@ -71,8 +65,7 @@ Quat rotation_of(const CaptureFrame& frame, const Columns::Body& body, std::size
     recorded.normalize();
   } else {
     const std::span<const int> angles(body.rotation.data(), 3);
-    if (!is_complete(frame.csv, row, values, angles, body.name, "azimuth, elevation, roll"))
-      return unknown_rotation();
+    if (!is_complete(values, angles)) return unknown_rotation();
     for (int k = 0; k < 3; ++k) {
       if (std::abs(value(k) * body.radians_per_unit) > 2 * std::numbers::pi + 0.01) {
         frame.csv.fail(row + 2, body.name,
@@ -98,8 +91,9 @@ void read_bodies(const CaptureFrame& frame, const Columns& columns, const Captur
       const double metres =
           body.unit.empty() ? frame.metres : metres_per_unit(body.unit, frame.csv.file);
       for (std::size_t i = 0; i < n; ++i)
-        stream.position(i, k) = position_of(frame, body, i, rows[i], metres);
+        stream.position(i, k) = position_of(frame, body, rows[i], metres);
     }
+    hide_fillers(frame.metres, stream.position, reports);
     for (std::size_t k = 0; k < bodies.size(); ++k) {
       if (!any_known(stream.position, k)) add_note(reports, "{} is never visible", stream.names[k]);
     }
@@ -154,9 +148,10 @@ CaptureFrame capture_frame_of(const files::CsvText& csv, const Columns& columns,
 
 Streams read_capture_file(const std::filesystem::path& file, const RecordingFiles& files,
                           std::vector<std::string>& used, std::vector<std::string>& reports) {
-  const files::CsvText csv = files::read_csv(file);
+  const files::CsvText csv = files::read_table(file);
   const Columns columns = read_capture_columns(csv, files.name_map, used);
   std::vector<std::string> notes = csv.notes;
+  notes.insert(notes.end(), columns.notes.begin(), columns.notes.end());
   const bool has_positions = !columns.bodies.empty() || !columns.points.empty();
   if (!has_positions && columns.glove.empty()) {
     csv.fail(1, "",

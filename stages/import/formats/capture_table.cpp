@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "core/motion/geometry.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -31,10 +30,8 @@ CaptureTable read_capture_table(const files::CsvText& csv, const CaptureColumns&
                fmt::format("the row has {} cells, the header has {}", cells.size(), rows.columns));
     }
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      const std::string_view cell = cells[c];
-      const bool missing = cell.empty() || cell == "NaN" || cell == "nan" || cell == "NAN";
-      rows.values.push_back(needed[c] && !missing ? csv.number(line, columns.names[c], cell)
-                                                  : kUnknown);
+      rows.values.push_back(needed[c] ? csv.number_or_unknown(line, columns.names[c], cells[c])
+                                      : kUnknown);
     }
     const double now = rows[rows.time.size()][clock];
     if (!std::isfinite(now)) csv.fail(line, columns.names[clock], "is empty");

@@ -1,19 +1,20 @@
 // 21 points of a hand as text: column names, then a row per frame. The columns, in any order, are
 // `frame` (increasing whole numbers) or `time_s`, and kp00_x … kp20_z: the wrist, then four per
-// finger from base to tip, thumb first. An empty cell or "nan" means not seen. No unit, no rate.
+// finger from base to tip, thumb first. No unit, no rate.
 #include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
 #include <set>
 
-#include "core/files/csv.hpp"
-#include "stages/import/formats/marker_columns.hpp"
+#include "core/files/table_text.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/format.hpp"
 #include "stages/import/recording/named_columns.hpp"
+#include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
+#include "stages/import/trackers/unseen_hands.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -51,10 +52,8 @@ Vec3 read_point(const files::CsvText& csv, std::size_t line,
   Vec3 result = unknown_point();
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view cell = cells[columns.point[point][axis]];
-    if (cell.empty() || cell == "nan" || cell == "NaN") continue;
-    result[axis] = csv.number(line, column_name(point, axis), cell);
+    result[axis] = csv.number_or_unknown(line, column_name(point, axis), cell);
   }
-  if (is_partial(result)) csv.fail(line, column_name(point, 0), "has only some of x, y, z");
   return result;
 }
 
@@ -103,20 +102,19 @@ void check_keypoints(const files::CsvText& csv, const HandStream& hand, bool siz
 }  // namespace
 
 bool recognises_keypoints_csv(std::string_view head) {
-  const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
-  return line.find("kp00_x") != std::string_view::npos &&
-         line.find("kp20_z") != std::string_view::npos;
+  const std::string line = files::first_line_with_commas(head);
+  return line.find("kp00_x") != std::string::npos && line.find("kp20_z") != std::string::npos;
 }
 
 Demonstration read_keypoints_csv(const RecordingFiles& files) {
-  const files::CsvText csv = files::read_csv(files.file);
+  const files::CsvText csv = files::read_table(files.file);
   if (!files.static_trial.empty()) csv.fail(1, "static_trial", "this format has no static trial");
   if (!files.name_map.empty())
     csv.fail(1, "names", "this format has no names to map; remove names");
   if (!files.conventions.axes.empty())
     csv.fail(1, "axes", "are not used: only the shape of the hand is used; remove axes");
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
-  const NamedColumns named(csv, 1);
+  const NamedColumns named(csv, csv.filled_line(1));
   const KeypointColumns columns = read_columns(named);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.import_notes;
@@ -137,6 +135,8 @@ Demonstration read_keypoints_csv(const RecordingFiles& files) {
           metres * read_point(csv, line, cells, columns, point);
     }
   }
+  hide_unseen_points("hand", hand.position, reports);
+  hide_fillers(metres, hand.position, reports);
   check_keypoints(csv, hand, files.conventions.plausibility_checks, reports);
   demonstration.streams.hand = std::move(hand);
   return demonstration;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/files/table_text.hpp"
 #include "core/human/calibration.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/formats/capture_file.hpp"
@@ -36,14 +37,14 @@ Streams read_pair(const std::filesystem::path& first, const std::filesystem::pat
 }  // namespace
 
 bool recognises_liberty_csv(std::string_view head) {
-  head = head.substr(0, head.find_first_of("\r\n"));
-  if (!head.starts_with("time_s,") && !head.starts_with("frame,") &&
-      head.find(",time_s") == std::string_view::npos) {
+  const std::string line = files::first_line_with_commas(head);
+  if (!line.starts_with("time_s,") && !line.starts_with("frame,") &&
+      line.find(",time_s") == std::string::npos) {
     return false;
   }
   return std::ranges::any_of(
       std::initializer_list<std::string_view>{"_qw", "_azimuth_", "ThumbRotate_", "IndexMPJ_"},
-      [&](std::string_view column) { return head.find(column) != std::string_view::npos; });
+      [&](std::string_view column) { return line.find(column) != std::string::npos; });
 }
 
 Demonstration read_liberty_csv(const RecordingFiles& files) {

@@ -10,26 +10,25 @@
 
 namespace morphe::imports {
 
-/// The columns of Vicon's CSV and TRC: two leading ones, then X, Y and Z of each marker.
+/// The columns of Vicon's CSV and TRC: leading ones, then X, Y and Z of each marker.
 struct MarkerColumns {
-  static constexpr std::size_t kLeadingCount = 2;  ///< columns before the first marker's
-  std::string leading[kLeadingCount];              ///< names of these columns
-  std::vector<std::string> names;                  ///< [K] of the markers
+  std::vector<std::string> leading;  ///< names of the columns before the first marker's
+  std::vector<std::string> names;    ///< [K] of the markers
 
-  std::size_t count() const { return kLeadingCount + 3 * names.size(); }  ///< of columns
+  std::size_t count() const { return leading.size() + 3 * names.size(); }  ///< of columns
   std::string name(std::size_t column) const;  ///< for messages: "RFTP.X"
 };
 
-/// Returns true if some coordinates of a point are NaN, but not all.
-inline bool is_partial(const Vec3& point) { return point.hasNaN() && !point.array().isNaN().all(); }
+/// Reads the markers' names in a line, each above the marker's X, after `leading` columns; trailing
+/// empty cells are ignored, and repeated names numbered, with a note. Throws InputError for a name
+/// elsewhere, a missing name, and a line without names.
+std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line,
+                                           std::size_t leading, std::vector<std::string>& notes);
 
-/// Reads the markers' names in a line, each above the marker's X; trailing empty cells are ignored.
-/// Throws InputError for a name elsewhere, a missing or repeated name, and a line without names.
-std::vector<std::string> read_marker_names(const files::CsvText& csv, std::size_t line);
-
-/// Reads the markers in the `cells` of a line, times `metres`, into row `row` of `position`. Three
-/// cells that are empty or NaN mean not seen. Throws InputError for too few cells, text after the
-/// last marker's cells, a cell that is not a number, and a marker with only some of X, Y, Z.
+/// Reads the markers in the `cells` of a line, times `metres`, into row `row` of `position`. A
+/// missing value is NaN; the last markers of a row whose separators are blank may lack their cells,
+/// which editors remove at the end of a line. Throws InputError for too few cells, text after the
+/// last marker's cells, and a cell that is not a number.
 void read_points(const files::CsvText& csv, std::size_t line,
                  const std::vector<std::string_view>& cells, const MarkerColumns& columns,
                  double metres, Array2D<Vec3>& position, std::size_t row);

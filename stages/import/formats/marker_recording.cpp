@@ -8,6 +8,8 @@
 #include "stages/import/formats/extract_joints.hpp"
 #include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/repeated_names.hpp"
+#include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_checks.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -27,17 +29,19 @@ double extent(const Array2D<Vec3>& position) {
   return box.isEmpty() ? kUnknown : box.diagonal().norm();
 }
 
-void hide_points_at_origin(MarkerRecording& recording) {
-  int hidden = 0;
-  for (Vec3& point : recording.markers.position.values) {
-    if (!point.isZero(0)) continue;
-    point = unknown_point();
-    ++hidden;
+/// Numbers names that stand more than once, and renames markers that are called as a body: a bone
+/// and a marker on it are two things, and the bone is the one of which an arm is made.
+void distinguish_names(MarkerRecording& recording) {
+  number_repeated_names(recording.bodies.poses.names, recording.import_notes);
+  for (std::string& name : recording.markers.names) {
+    if (name_index(recording.bodies.poses.names, name) < 0) continue;
+    add_note(
+        recording.import_notes,
+        "{} is the name of a bone or rigid body and of a marker; the marker is called {}_marker",
+        name, name);
+    name += "_marker";
   }
-  if (hidden > 0) {
-    add_note(recording.import_notes, "{} points are exactly at the origin; treated as not visible",
-             hidden);
-  }
+  number_repeated_names(recording.markers.names, recording.import_notes);
 }
 
 void report_never_seen(MarkerRecording& recording) {
@@ -82,7 +86,12 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
     add_note(recording.import_notes, "axes not in the file; assumed '{}' (right, forward, up)",
              axes);
   }
-  const Eigen::Matrix3d world_from_file = world_from_recorded(axes, source);
+  const bool points_only = recording.bodies.poses.names.empty();
+  const Eigen::Matrix3d world_from_file =
+      points_only ? world_from_points(axes, source) : world_from_recorded(axes, source);
+  if (world_from_file.determinant() < 0)
+    add_note(recording.import_notes, "the axes '{}' are left-handed: the points are mirrored",
+             axes);
   for (Vec3& point : recording.markers.position.values) point = world_from_file * point;
   for (Vec3& point : recording.bodies.poses.position.values) point = world_from_file * point;
   for (Quat& rotation : recording.bodies.poses.orientation.values)
@@ -102,16 +111,30 @@ void check_extent(const MarkerRecording& recording, const std::string& source) {
   }
 }
 
+/// Flags a static trial whose file names another person than that of the recording.
+void compare_subjects(const std::string& own, const std::string& of_static,
+                      std::vector<RecordingFlag>& flags) {
+  if (own.empty() || of_static.empty() || own == of_static) return;
+  flags.push_back(
+      {.code = FlagCode::static_trial,
+       .subject = of_static,
+       .text = fmt::format("the static trial names its person {}, the recording {}: it is another "
+                           "person's",
+                           of_static, own)});
+}
+
 MarkerRecording read_into_world(const std::filesystem::path& file, const RecordingFiles& files,
                                 MarkerReader read, const std::string& usual_axes) {
   MarkerRecording recording = read(file, files.conventions);
-  hide_points_at_origin(recording);
+  distinguish_names(recording);
+  hide_points_at_origin(recording.markers.position, recording.import_notes);
+  hide_fillers(recording.unit_m, recording.markers.position, recording.import_notes);
   bring_into_world(recording, file.string(), files.conventions.axes, usual_axes);
   if (files.conventions.plausibility_checks) check_extent(recording, file.string());
   return recording;
 }
 
-/// Applies a name map to markers and bodies together, whose names must differ.
+/// Applies a name map to markers and bodies together, whose resulting names must differ.
 void rename_all(const std::string& file, const std::map<std::string, std::string>& renamed,
                 MarkerRecording& recording) {
   std::vector<std::string>& markers = recording.markers.names;
@@ -161,13 +184,6 @@ void check_joints(const RecordingFiles& files, Demonstration& demonstration) {
 
 }  // namespace
 
-void throw_unknown_axes(const std::string& source, const std::string& why) {
-  throw UnresolvedConvention(
-      "axes", fmt::format("{}: axes: the file does not state which axes point right, forward and "
-                          "up{}; give --axes or `axes:` such as 'x y z'",
-                          source, why));
-}
-
 Demonstration read_marker_recording(const RecordingFiles& files, MarkerReader read,
                                     const std::string& usual_axes) {
   MarkerRecording recording = read_into_world(files.file, files, read, usual_axes);
@@ -189,6 +205,7 @@ Demonstration read_marker_recording(const RecordingFiles& files, MarkerReader re
     report_no_static(demonstration);
     return demonstration;
   }
+  compare_subjects(recording.subject, static_recording.subject, demonstration.flags);
   report_never_seen(static_recording);
   for (const std::string& note : static_recording.import_notes)
     demonstration.import_notes.push_back("static trial: " + note);

@@ -12,6 +12,7 @@ namespace morphe::imports {
 struct MarkerRecording {
   MarkerStream markers;
   RigidBodies bodies;                     ///< on the markers' clock, if the format has them
+  double unit_m = 1;                      ///< metres in the file's unit
   std::string subject;                    ///< "" if absent
   std::string axes;                       ///< as Conventions::axes; "" if absent
   std::vector<std::string> import_notes;  ///< assumptions and repairs
@@ -20,17 +21,14 @@ struct MarkerRecording {
 /// Reads a file of one format.
 using MarkerReader = MarkerRecording (*)(const std::filesystem::path& file, const Conventions&);
 
-/// Throws UnresolvedConvention "axes" for the file `source`; the message contains `why`, ", and …".
-[[noreturn]] void throw_unknown_axes(const std::string& source, const std::string& why = "");
-
 /// Reads a recording and its static trial into the world, with mapped names. The axes are the
 /// user's; without them, the file's; without these, `usual_axes`, which is reported, or, if that is
-/// "", throw_unknown_axes(). Points exactly at the origin, which some programs write for unseen
-/// markers, become unseen; they and markers that were never seen are reported. Points of the
-/// recording that are named as joints become a skeleton (extract_joints.hpp); its rigid bodies are
-/// added as in rigid_bodies.hpp, those of the static trial are left out. Throws
-/// UnresolvedConvention "unit" if the markers extend over more than 30 m or, three or more, over
-/// less than 2 mm, and InputError for repeated names.
+/// "", throw_unknown_axes(). Points that stand for unseen markers become unseen
+/// (unseen_points.hpp); they and markers that were never seen are reported. Points of the recording
+/// that are named as joints become a skeleton (extract_joints.hpp); its rigid bodies are added as
+/// in rigid_bodies.hpp, those of the static trial are left out. Throws UnresolvedConvention "unit"
+/// if the markers extend over more than 30 m or, three or more, over less than 2 mm, and InputError
+/// for repeated names.
 Demonstration read_marker_recording(const RecordingFiles& files, MarkerReader read,
                                     const std::string& usual_axes = "");
 

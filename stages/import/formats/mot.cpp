@@ -1,19 +1,22 @@
 // OpenSim storage (.mot, .sto) of joint coordinates: header lines up to "endheader", a line of
-// column names that begins with "time", then a row per instant. Cells are separated by commas or,
-// if the line of names has none, by blanks and tabs. AngleStream contains angles only: columns
-// named …_tx, …_ty, …_tz or …trans… are translations, which are left out and reported.
+// column names that begins with "time", then a row per instant. Cells are separated by commas,
+// semicolons or, if the line of names has none, by blanks and tabs. AngleStream contains angles
+// only: translations, and columns of other quantities (mot_columns.hpp), are left out and reported.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <set>
+#include <ranges>
 
-#include "core/files/csv.hpp"
+#include "core/files/table_text.hpp"
+#include "stages/import/formats/mot_columns.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/column_label.hpp"
 #include "stages/import/recording/format.hpp"
+#include "stages/import/recording/repeated_names.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 
@@ -23,7 +26,7 @@ namespace {
 /// Returns the cells of a line, without empty ones at its end.
 std::vector<std::string_view> cells_of(const files::CsvText& text, std::size_t line) {
   std::vector<std::string_view> cells;
-  if (text.separator == ',') {
+  if (text.separator != '\t') {
     cells = text.cells(line);
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
     return cells;
@@ -59,12 +62,6 @@ MotHeader read_mot_header(const files::CsvText& text) {
   text.fail(std::max<std::size_t>(1, text.lines.size()), "endheader", "the line is missing");
 }
 
-bool is_translation(const std::string& column) {
-  const std::string name = to_lower(column);
-  return name.ends_with("_tx") || name.ends_with("_ty") || name.ends_with("_tz") ||
-         name.find("trans") != std::string::npos;
-}
-
 double radians_per_unit(const files::CsvText& text, const MotHeader& header,
                         const Conventions& conventions) {
   if (const auto entry = header.value.find("indegrees"); entry != header.value.end()) {
@@ -89,16 +86,16 @@ void compare_count(const files::CsvText& text, const MotHeader& header, const st
            noun);
 }
 
-std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line) {
+std::vector<std::string> read_columns(const files::CsvText& text, std::size_t line,
+                                      std::vector<std::string>& reports) {
   std::vector<std::string> columns;
-  std::set<std::string> known;
   for (const std::string_view cell : cells_of(text, line)) {
     if (cell.empty()) text.fail(line, "", fmt::format("column {} has no name", columns.size() + 1));
-    if (!known.emplace(cell).second) text.fail(line, cell, "the column appears twice");
     columns.emplace_back(cell);
   }
   if (columns.empty() || to_lower(columns[0]) != "time")
     text.fail(line, "time", "the first column must have this name");
+  number_repeated_names(columns, reports);
   return columns;
 }
 
@@ -112,31 +109,37 @@ bool recognises_mot(std::string_view head) {
 }
 
 Demonstration read_mot(const RecordingFiles& files) {
-  files::CsvText text = files::read_csv(files.file);
+  files::CsvText text = files::read_table(files.file);
   if (!files.static_trial.empty()) text.fail(1, "static_trial", "this format has no static trial");
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.import_notes;
   reports = text.notes;
   const MotHeader header = read_mot_header(text);
-  std::size_t line = header.end + 1;
-  while (line <= text.lines.size() && text.is_blank(line)) ++line;
+  std::size_t line = text.filled_line(header.end + 1);
   if (line > text.lines.size()) text.fail(header.end, "", "the file ends after its header");
-  if (text.lines[line - 1].find(',') == std::string::npos) text.separator = '\t';
-  const std::vector<std::string> columns = read_columns(text, line);
+  if (text.lines[line - 1].find(text.separator) == std::string::npos) text.separator = '\t';
+  const std::vector<std::string> columns = read_columns(text, line, reports);
   const double radians = radians_per_unit(text, header, files.conventions);
 
   AngleStream stream;
+  const std::string contents = mot_contents(text.lines[0]);
+  if (!contents.empty()) text.fail(1, "", fmt::format("has {}, no joint angles", contents));
   std::vector<std::size_t> kept;
-  std::vector<std::string> left_out;
+  std::map<std::string, std::vector<std::string>> left_out;  // by quantity
   for (std::size_t c = 1; c < columns.size(); ++c) {
-    if (is_translation(columns[c])) {
-      left_out.push_back(columns[c]);
+    const std::string quantity = mot_quantity(columns[c]);
+    if (!quantity.empty()) {
+      left_out[quantity].push_back(columns[c]);
     } else {
       kept.push_back(c);
-      stream.joints.push_back(columns[c]);
+      stream.joints.push_back(mot_joint(columns[c]));
     }
   }
-  if (kept.empty()) text.fail(line, "", "has no column of a joint angle");
+  if (kept.empty()) {
+    text.fail(line, "",
+              fmt::format("has no column of a joint angle, only {}",
+                          fmt::join(std::views::keys(left_out), ", ")));
+  }
   std::vector<double> values;
   int missing = 0;
   for (++line; line <= text.lines.size(); ++line) {
@@ -149,16 +152,16 @@ Demonstration read_mot(const RecordingFiles& files) {
     }
     add_time(text.number(line, "time", cells[0]), text.file, line, "time", stream.time);
     for (const std::size_t c : kept) {
-      const bool is_nan = to_lower(cells[c]) == "nan";
-      values.push_back(radians * (is_nan ? kUnknown : text.number(line, columns[c], cells[c])));
-      if (is_nan) ++missing;
+      values.push_back(radians * text.number_or_unknown(line, columns[c], cells[c]));
+      if (std::isnan(values.back())) ++missing;
     }
   }
   if (stream.time.empty()) text.fail(text.lines.size(), "", "the file has no rows");
   stream.angles = Eigen::Map<const JointRows>(values.data(), stream.time.size(), kept.size());
   compare_count(text, header, "nRows", stream.time.size(), "rows", reports);
   compare_count(text, header, "nColumns", columns.size(), "columns", reports);
-  if (!left_out.empty()) add_note(reports, "translations skipped: {}", fmt::join(left_out, ", "));
+  for (const auto& [quantity, names] : left_out)
+    add_note(reports, "{} skipped: {}", quantity, fmt::join(names, ", "));
   if (missing > 0) add_note(reports, "{} of {} angles are missing (NaN)", missing, values.size());
   apply_name_map(text.file, files.name_map, stream.joints);
   demonstration.streams.arm_angles = std::move(stream);

@@ -12,10 +12,10 @@
 #include <cmath>
 #include <set>
 
+#include "core/files/table_text.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/optitrack_header.hpp"
-#include "stages/import/formats/point_header.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/formats/rigid_bodies.hpp"
 #include "stages/import/trackers/add_note.hpp"
@@ -29,19 +29,17 @@ using Items = std::vector<const OptitrackItem*>;
 struct TakeRow {
   const files::CsvText& csv;
   std::size_t line;
-  std::vector<std::string> cells;
+  std::vector<std::string_view> cells;
 
-  /// Returns the numbers of an item, empty if all cells are. Throws InputError if only some are.
+  /// Returns the numbers of an item, NaN for those that are missing; empty if all are.
   std::vector<double> numbers(const OptitrackItem& item, const char* quantity,
                               const std::vector<std::size_t>& columns) const {
     const std::string key = fmt::format("{}.{}", item.name, quantity);
     std::vector<double> values;
-    for (const std::size_t c : columns) {
-      if (!cells[c].empty()) values.push_back(csv.number(line, key, cells[c]));
-    }
-    if (!values.empty() && values.size() < columns.size())
-      csv.fail(line, key, "has only some of its numbers");
-    return values;
+    for (const std::size_t c : columns)
+      values.push_back(csv.number_or_unknown(line, key, cells[c]));
+    const bool seen = std::ranges::any_of(values, [](double v) { return !std::isnan(v); });
+    return seen ? values : std::vector<double>{};
   }
 };
 
@@ -104,11 +102,15 @@ void check_rotation_order(const files::CsvText& csv, const std::string& order,
   }
 }
 
+bool has_nan(const std::vector<double>& values) {
+  return std::ranges::any_of(values, [](double v) { return std::isnan(v); });
+}
+
 void read_body(const TakeRow& row, const OptitrackItem& item, const std::string& order,
                double metres, BodyStream& bodies, std::size_t i, std::size_t k) {
   const std::vector<double> position = row.numbers(item, "Position", item.position);
   const std::vector<double> rotation = row.numbers(item, "Rotation", item.rotation);
-  if (position.empty() || rotation.empty()) return;
+  if (position.empty() || rotation.empty() || has_nan(position) || has_nan(rotation)) return;
   const Quat orientation = rotation_from_numbers(rotation, order);
   if (!(std::abs(orientation.norm() - 1) < 0.01))
     row.csv.fail(row.line, item.name + ".Rotation", "is not a quaternion of unit length");
@@ -154,16 +156,6 @@ void report_gaps(const std::vector<double>& time, double rate_hz,
     add_note(reports, "{:.0f} frames are missing in {}", missing, count_with_noun(gaps, "gap"));
 }
 
-std::string unit_of(const OptitrackHeader& header) {
-  const std::string unit = header.value("Length Units");
-  if (unit == "Meters") return "m";
-  if (unit == "Centimeters") return "cm";
-  if (unit == "Millimeters") return "mm";
-  if (unit == "Inches") return "in";
-  if (unit == "Feet") return "ft";
-  return unit;
-}
-
 void report_take_contents(const OptitrackHeader& header, const Take& take,
                           std::vector<std::string>& reports) {
   if (!take.measured.empty() && !take.solved.empty())
@@ -177,7 +169,7 @@ void report_take_contents(const OptitrackHeader& header, const Take& take,
 }
 
 MarkerRecording read_take(const std::filesystem::path& file, const Conventions& conventions) {
-  const files::CsvText csv = files::read_csv(file);
+  const files::CsvText csv = files::read_table(file);
   const OptitrackHeader header = read_optitrack_header(csv);
   if (csv.lines.size() <= header.line)
     csv.fail(csv.lines.size(), "", "ends before the first frame");
@@ -187,8 +179,9 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
   check_rotation_order(csv, order, take.bodies);
   MarkerRecording recording;
   recording.import_notes = csv.notes;
-  const double metres = resolve_unit_m(unit_of(header), conventions, fmt::format("{}:1", csv.file),
-                                       recording.import_notes);
+  recording.unit_m = resolve_unit_m(header.value("Length Units"), conventions,
+                                    fmt::format("{}:1", csv.file), recording.import_notes);
+  const double metres = recording.unit_m;
   const std::string rate = header.value("Export Frame Rate");
   const double in_file = rate.empty() ? 0 : csv.number(1, "Export Frame Rate", rate);
   double rate_hz = 0;  // 0: the times in the file are used
@@ -204,7 +197,7 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
   stream.position = Array2D<Vec3>(rows, markers.size(), unknown_point());
   for (std::size_t i = 0; i < rows; ++i) {
     const std::size_t line = header.line + 1 + i;
-    const TakeRow row{csv, line, quoted_cells(csv.lines[line - 1], csv.separator)};
+    const TakeRow row{csv, line, csv.cells(line)};
     if (row.cells.size() < header.cells) {
       csv.fail(
           line, "",
@@ -233,7 +226,7 @@ MarkerRecording read_take(const std::filesystem::path& file, const Conventions& 
 }  // namespace
 
 bool recognises_optitrack_csv(std::string_view head) {
-  return head.starts_with("Format Version,") || head.starts_with("\"Format Version\",");
+  return files::first_line_with_commas(head).starts_with("Format Version,");
 }
 
 Demonstration read_optitrack_csv(const RecordingFiles& files) {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "stages/import/formats/point_header.hpp"
-
 namespace morphe::imports {
 namespace {
 
@@ -14,8 +12,9 @@ using Cells = std::vector<std::string>;
 constexpr std::size_t kFirstColumn = 2;  ///< after frame and time
 constexpr std::size_t kMaxHeaderLines = 12;
 
-Cells unquoted_cells(const files::CsvText& csv, std::size_t line) {
-  return quoted_cells(csv.lines[line - 1], csv.separator);
+Cells texts_of(const files::CsvText& csv, std::size_t line) {
+  const auto cells = csv.cells(line);
+  return {cells.begin(), cells.end()};
 }
 
 std::string cell(const Cells& cells, std::size_t column) {
@@ -23,20 +22,21 @@ std::string cell(const Cells& cells, std::size_t column) {
 }
 
 void read_first_line(const files::CsvText& csv, OptitrackHeader& header) {
-  const Cells cells = unquoted_cells(csv, 1);
+  const std::size_t line = csv.filled_line(1);
+  const Cells cells = texts_of(csv, line);
   if (cell(cells, 0) != "Format Version")
-    csv.fail(1, "", "must begin with 'Format Version'; export the take with its header");
+    csv.fail(line, "", "must begin with 'Format Version'; export the take with its header");
   for (std::size_t k = 0; k + 1 < cells.size(); k += 2) header.settings[cells[k]] = cells[k + 1];
   if (header.value("Coordinate Space") == "Local")
-    csv.fail(1, "Coordinate Space", "is Local; export in Global coordinates");
+    csv.fail(line, "Coordinate Space", "is Local; export in Global coordinates");
 }
 
-/// Returns the lines from 2 to "Frame,Time…": types, names, IDs, (parents,) quantities.
+/// Returns the lines from the second to "Frame,Time…": types, names, IDs, (parents,) quantities.
 std::vector<std::size_t> lines_above(const files::CsvText& csv, OptitrackHeader& header) {
   std::vector<std::size_t> lines;
   const std::size_t last = std::min(csv.lines.size(), kMaxHeaderLines);
-  for (std::size_t line = 2; line <= last; ++line) {
-    if (cell(unquoted_cells(csv, line), 0) == "Frame") {
+  for (std::size_t line = csv.filled_line(1) + 1; line <= last; ++line) {
+    if (cell(texts_of(csv, line), 0) == "Frame") {
       header.line = line;
       return lines;
     }
@@ -78,9 +78,8 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
     csv.fail(header.line, "",
              "the lines of types, names and quantities are missing above this line");
   }
-  const Cells types = unquoted_cells(csv, lines[0]), names = unquoted_cells(csv, lines[1]),
-              quantities = unquoted_cells(csv, lines.back()),
-              axes = unquoted_cells(csv, header.line);
+  const Cells types = texts_of(csv, lines[0]), names = texts_of(csv, lines[1]),
+              quantities = texts_of(csv, lines.back()), axes = texts_of(csv, header.line);
   header.cells = axes.size();
   while (header.cells > kFirstColumn && cell(quantities, header.cells - 1).empty() &&
          axes[header.cells - 1].empty() && cell(types, header.cells - 1).empty()) {
@@ -91,8 +90,7 @@ OptitrackHeader read_optitrack_header(const files::CsvText& csv) {
     std::map<std::string, std::map<std::string, std::size_t>> columns;  // by quantity and axis
     for (; c < header.cells && cell(types, c) == item.type && cell(names, c) == item.name; ++c) {
       if (cell(axes, c).empty()) continue;  // a column of errors or quality
-      if (!columns[cell(quantities, c)].emplace(cell(axes, c), c).second)
-        csv.fail(lines[1], item.name, "appears twice");
+      if (!columns[cell(quantities, c)].emplace(cell(axes, c), c).second) break;  // another item
     }
     item.position = ordered_columns(csv, header.line, item.name, "Position", columns["Position"]);
     item.rotation = ordered_columns(csv, header.line, item.name, "Rotation", columns["Rotation"]);

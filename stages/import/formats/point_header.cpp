@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/files/csv.hpp"
 #include "stages/import/recording/column_label.hpp"
 
 namespace morphe::imports {
@@ -14,40 +15,21 @@ namespace {
 
 constexpr std::size_t kMaxHeaderLine = 30;
 
-char separator_of(const files::CsvText& text) {
-  // Counted in the last line, which is a row: names in the header may contain any character.
-  const std::string& row = text.lines.back();
-  for (const char separator : {';', '\t'}) {
-    if (std::ranges::count(row, separator) >= 2) return separator;
-  }
-  return ',';
-}
-
 struct CellCounts {
   std::size_t cells = 0, numbers = 0, words = 0;
 };
 
-CellCounts count_cells(const std::string& line, const PointHeader& header) {
-  const std::vector<std::string> cells = quoted_cells(line, header.separator);
+CellCounts count_cells(const files::CsvText& text, std::size_t line) {
+  const auto cells = text.cells(line);
   CellCounts counts{cells.size(), 0, 0};
-  for (const std::string& cell : cells) {
-    if (parse_number(cell, header.decimal_comma)) {
+  for (const std::string_view cell : cells) {
+    if (text.value(cell)) {
       ++counts.numbers;
-    } else if (!is_missing_value(cell)) {
+    } else if (!files::is_missing_value(cell)) {
       ++counts.words;
     }
   }
   return counts;
-}
-
-bool has_decimal_commas(const files::CsvText& text, char separator) {
-  if (separator == ',') return false;
-  for (std::size_t line = text.lines.size(); line > 0 && line + 5 > text.lines.size(); --line) {
-    for (const std::string& cell : quoted_cells(text.lines[line - 1], separator)) {
-      if (cell.find(',') != std::string::npos && parse_number(cell, true)) return true;
-    }
-  }
-  return false;
 }
 
 /// The lines of the header, from 1: the last line of words near the top, and the lines directly
@@ -60,12 +42,12 @@ HeaderLines find_header(const files::CsvText& text, const PointHeader& header) {
   HeaderLines lines;
   const std::size_t end = std::min(kMaxHeaderLine, text.lines.size());
   for (std::size_t line = 1; line <= end; ++line) {
-    const CellCounts counts = count_cells(text.lines[line - 1], header);
+    const CellCounts counts = count_cells(text, line);
     if (counts.words >= 3 && counts.words >= counts.numbers) lines.last = line;
   }
   lines.first = lines.last;
   while (lines.first > 1) {
-    const CellCounts above = count_cells(text.lines[lines.first - 2], header);
+    const CellCounts above = count_cells(text, lines.first - 1);
     if (above.words + above.numbers == 0 || 2 * above.cells < header.cells) break;
     --lines.first;
   }
@@ -77,13 +59,12 @@ std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines
                                    const PointHeader& header) {
   std::vector<std::string> labels(header.cells);
   for (std::size_t line = lines.first; line <= lines.last; ++line) {
-    std::string_view words = text.lines[line - 1];
-    if (line == lines.first && words.starts_with('#')) words.remove_prefix(1);
-    const std::vector<std::string> cells = quoted_cells(words, header.separator);
+    const auto cells = text.cells(line);
     std::string name;
     int empty_count = 0;
     for (std::size_t c = 0; c < header.cells; ++c) {
-      const std::string cell = c < cells.size() ? cells[c] : "";
+      std::string cell(c < cells.size() ? cells[c] : std::string_view());
+      if (line == lines.first && c == 0 && cell.starts_with('#')) cell = trim(cell, "# \t");
       if (!cell.empty()) name = cell;
       empty_count = cell.empty() ? empty_count + 1 : 0;
       if (line == lines.last && cell.empty()) continue;
@@ -94,9 +75,28 @@ std::vector<std::string> labels_of(const files::CsvText& text, const HeaderLines
   return labels;
 }
 
+/// Numbers the names of points in labels that stand more than once: a second "cup x" is "cup_2 x".
+void number_repeated_labels(std::vector<ColumnLabel>& labels, std::vector<std::string>& notes) {
+  std::map<std::string, int> counts;
+  std::set<std::string> repeated;
+  for (ColumnLabel& label : labels) {
+    const int count = label.text.empty() ? 1 : ++counts[to_lower(label.text)];
+    if (count == 1) continue;
+    const auto readings = readings_of(label.text);
+    const auto reading = std::ranges::find_if(
+        readings, [](const AxisReading& r) { return r.axis >= 0 && !r.name.empty(); });
+    if (reading == readings.end()) continue;
+    const std::string name = fmt::format("{}_{}", reading->name, count);
+    if (repeated.insert(name).second) {
+      notes.push_back(fmt::format("the name {} stands more than once; another is called {}",
+                                  reading->name, name));
+    }
+    label.text = fmt::format("{} {}", name, "xyzw"[reading->axis]);
+  }
+}
+
 /// Adds every point whose three axes have the same notation, and marks its columns as taken.
-void take_points(const files::CsvText& text, std::size_t line,
-                 const std::vector<ColumnLabel>& labels, std::vector<bool>& taken,
+void take_points(const std::vector<ColumnLabel>& labels, std::vector<bool>& taken,
                  PointHeader& header) {
   using AxisColumns = std::array<std::optional<std::size_t>, 4>;  // of x, y, z, w
   for (int notation = 0; notation < 3; ++notation) {
@@ -109,8 +109,7 @@ void take_points(const files::CsvText& text, std::size_t line,
       auto [entry, is_new] = points.try_emplace(reading.name);
       if (is_new) order.push_back(reading.name);
       std::optional<std::size_t>& column = entry->second[reading.axis];
-      if (column) text.fail(line, labels[c].text, "the column appears twice");
-      column = c;
+      if (!column) column = c;
     }
     for (const std::string& name : order) {
       const AxisColumns& columns = points[name];
@@ -130,46 +129,10 @@ void take_points(const files::CsvText& text, std::size_t line,
 
 }  // namespace
 
-std::vector<std::string> quoted_cells(std::string_view line, char separator) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
-      cells.back() += line[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == separator && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += c;
-    }
-  }
-  for (std::string& cell : cells) cell = trim(cell, " \t");
-  return cells;
-}
-
-std::optional<double> parse_number(std::string_view cell, bool decimal_comma) {
-  const std::size_t comma = cell.find(',');
-  if (decimal_comma && cell.find('.') != std::string_view::npos) return {};
-  if (comma == std::string_view::npos) return files::finite_number(cell);
-  if (!decimal_comma) return {};
-  std::string with_point(cell);
-  with_point[comma] = '.';
-  return files::finite_number(with_point);
-}
-
-bool is_missing_value(std::string_view cell) {
-  static const std::set<std::string> kWords = {"", "nan", "na", "n/a", "null", "none", "-"};
-  return kWords.contains(to_lower(cell));
-}
-
 PointHeader read_point_header(const files::CsvText& text) {
   PointHeader header;
   if (text.lines.empty()) return header;
-  header.separator = separator_of(text);
-  header.decimal_comma = has_decimal_commas(text, header.separator);
-  header.cells = quoted_cells(text.lines.back(), header.separator).size();
+  header.cells = text.cells(text.lines.size()).size();
   const HeaderLines lines = find_header(text, header);
   if (lines.last == 0) return header;
   header.first_row = lines.last + 1;
@@ -177,6 +140,7 @@ PointHeader read_point_header(const files::CsvText& text) {
   std::vector<ColumnLabel> labels;
   for (std::string& label : labels_of(text, lines, header))
     labels.push_back(split_unit(std::move(label)));
+  number_repeated_labels(labels, header.notes);
   std::vector<bool> taken(labels.size(), false);
   for (std::size_t c = 0; c < labels.size(); ++c) {
     if (!header.time && is_time_label(labels[c].text)) {
@@ -188,7 +152,7 @@ PointHeader read_point_header(const files::CsvText& text) {
       taken[c] = true;
     }
   }
-  take_points(text, lines.last, labels, taken, header);
+  take_points(labels, taken, header);
   for (const PointColumns& point : header.points) {
     for (const std::size_t c : point.columns) {
       const std::string& unit = labels[c].unit;

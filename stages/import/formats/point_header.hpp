@@ -24,8 +24,6 @@ struct TimeColumn {
 
 /// The header of a text file with a row per frame and any columns.
 struct PointHeader {
-  char separator = ',';                  ///< comma, semicolon or tab
-  bool decimal_comma = false;            ///< true if numbers have a decimal comma
   std::size_t first_row = 0, cells = 0;  ///< first frame's line, from 1; number of cells in a row
   std::vector<PointColumns> points;
   std::string unit;  ///< of lengths, "" if absent
@@ -33,24 +31,16 @@ struct PointHeader {
   std::optional<std::size_t> frame;          ///< column of the frame number
   std::vector<std::string> ignored_columns;  ///< names of other columns
   std::size_t lines_before = 0;              ///< number of lines before the header
+  std::vector<std::string> notes;            ///< on repeated labels
 };
 
-/// Returns the cells of a line. A cell in quotes may contain the separator, and "" for a quote.
-std::vector<std::string> quoted_cells(std::string_view line, char separator);
-
-/// Returns the number in a cell; no value for text, and for a decimal point if the file has decimal
-/// commas or a comma if it does not.
-std::optional<double> parse_number(std::string_view cell, bool decimal_comma);
-
-/// Returns true if a cell denotes a missing number: empty, NaN, NA, N/A, null, "none", -.
-bool is_missing_value(std::string_view cell);
-
-/// Reads the header, which has one line, or several above each other ("wrist" over "X" "Y" "Z" over
-/// "mm"), in which a name also applies to up to two empty cells after it. A column's label is the
-/// point's name and an axis, in either order, with or without punctuation in between (wrist_x,
-/// wrist.X, wrist X, X:wrist, wristX); a unit may follow, or be in brackets. Columns x, y, z, w of
-/// one name (a rotation) and names of rotations, velocities, forces and the like are left out. A
-/// file without a header has no points. Throws InputError for inconsistent units, repeated columns.
+/// Reads the header of a table (table_text.hpp), which has one line, or several above each other
+/// ("wrist" over "X" "Y" "Z" over "mm"), in which a name also applies to up to two empty cells
+/// after it. A column's label is the point's name and an axis, in either order, with or without
+/// punctuation in between (wrist_x, wrist.X, wrist X, X:wrist, wristX); a unit may follow, or be in
+/// brackets. Columns x, y, z, w of one name (a rotation) and names of rotations, velocities, forces
+/// and the like are left out. A file without a header has no points. Repeated labels are numbered.
+/// Throws InputError for inconsistent units.
 PointHeader read_point_header(const files::CsvText& text);
 
 }  // namespace morphe::imports

@@ -5,12 +5,12 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <set>
 
+#include "core/files/table_text.hpp"
 #include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
-#include "stages/import/formats/point_header.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/repeated_names.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
 
@@ -35,7 +35,7 @@ bool is_key(std::string_view word) {
 
 TsvHeader read_tsv_header(const files::CsvText& text) {
   TsvHeader header;
-  std::size_t line = 1;
+  std::size_t line = text.filled_line(1);
   for (; line <= text.lines.size(); ++line) {
     const auto cells = text.cells(line);
     if (!is_key(cells[0])) break;
@@ -48,14 +48,12 @@ TsvHeader read_tsv_header(const files::CsvText& text) {
   }
   if (header.markers.empty())
     text.fail(std::max<std::size_t>(1, header.names_line), kMarkerNames, "has no marker names");
-  std::set<std::string> known;
   for (const std::string& name : header.markers) {
     if (name.empty()) text.fail(header.names_line, kMarkerNames, "a marker has no name");
-    if (!known.insert(name).second) text.fail(header.names_line, name, "the marker appears twice");
   }
   // An optional line names the columns: "Frame Time A X A Y A Z", or "A X …" for a marker A.
-  while (line <= text.lines.size() && text.is_blank(line)) ++line;
-  if (line <= text.lines.size() && !parse_number(text.cells(line)[0], false)) {
+  line = text.filled_line(line);
+  if (line <= text.lines.size() && !text.value(text.cells(line)[0])) {
     header.first_column_is_time = text.cells(line)[0] == "Time";
     ++line;
   }
@@ -109,10 +107,9 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
     for (std::size_t k = 0; k < markers; ++k) {
       Vec3 point = unknown_point();
       for (int axis = 0; axis < 3; ++axis) {
-        const std::string_view cell = cells[leading + 3 * k + axis];
-        if (!is_missing_value(cell)) point[axis] = text.number(line, header.markers[k], cell);
+        point[axis] =
+            text.number_or_unknown(line, header.markers[k], cells[leading + 3 * k + axis]);
       }
-      if (is_partial(point)) text.fail(line, header.markers[k], "has only some of X, Y, Z");
       stream.position(row, k) = metres * point;
     }
   }
@@ -120,11 +117,12 @@ void read_frames_of(const files::CsvText& text, const TsvHeader& header, double 
 
 MarkerRecording read_qualisys_file(const std::filesystem::path& file,
                                    const Conventions& conventions) {
-  const files::CsvText text = files::read_csv(file, '\t');
+  const files::CsvText text = files::read_table(file);
   if (text.lines.empty()) text.fail(1, "", "the file is empty");
   MarkerRecording recording;
   recording.import_notes = text.notes;
-  const TsvHeader header = read_tsv_header(text);
+  TsvHeader header = read_tsv_header(text);
+  number_repeated_names(header.markers, recording.import_notes);
   const auto included = header.value.find("DATA_INCLUDED");
   if (included != header.value.end() && included->second.second != "3D") {
     text.fail(included->second.first, "DATA_INCLUDED",
@@ -134,10 +132,9 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
                                          text.file, recording.import_notes);
   if (conventions.unit.empty())
     recording.import_notes.push_back("unit not in the file; assumed mm, as written by Qualisys");
-  const double metres =
-      metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
+  recording.unit_m = metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
   recording.markers.names = header.markers;
-  read_frames_of(text, header, metres, rate_hz, recording);
+  read_frames_of(text, header, recording.unit_m, rate_hz, recording);
   for (const auto& [key, count, noun] :
        {std::tuple("NO_OF_MARKERS", header.markers.size(), "markers"),
         std::tuple("NO_OF_FRAMES", recording.markers.time.size(), "frames")}) {
@@ -152,7 +149,8 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
 }  // namespace
 
 bool recognises_qualisys_tsv(std::string_view head) {
-  return head.starts_with("NO_OF_FRAMES\t") && head.find("\nMARKER_NAMES\t") != head.npos;
+  return files::first_line_with_commas(head).starts_with("NO_OF_FRAMES,") &&
+         head.find("\nMARKER_NAMES") != head.npos;
 }
 
 Demonstration read_qualisys_tsv(const RecordingFiles& files) {

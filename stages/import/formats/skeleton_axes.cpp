@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_clip.hpp"
@@ -16,6 +15,8 @@ namespace {
 constexpr double kMinAxisCosine = 0.9659258262890683;  // cos 15 degrees
 /// Least ratio of the horizontal part of the line between the shoulders to its length.
 constexpr double kMinShoulderLevelRatio = 0.7;
+/// Most programs write Y up and a person who faces Z.
+constexpr const char* kUsualAxes = "-x z y";
 
 /// Returns the signed coordinate axis with the largest component along a direction.
 Vec3 main_axis(const Vec3& direction) {
@@ -56,7 +57,8 @@ Eigen::Matrix3d world_from_skeleton(const BodyStream& body, const std::vector<Ve
   if (!shoulders) {
     throw_unknown_axes(file,
                        ", and the axes cannot be derived, since no joints are named left_shoulder "
-                       "and right_shoulder (see --names)");
+                       "and right_shoulder (see --names)",
+                       kUsualAxes);
   }
   const auto trunk = [&](const Vec3& root, const Vec3& left, const Vec3& right) -> Vec3 {
     return (left + right) / 2 - root;

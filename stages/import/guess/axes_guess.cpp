@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/rigid.hpp"
 #include "stages/import/guess/body_cues.hpp"
 #include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/convention_guess.hpp"
@@ -33,16 +34,15 @@ std::vector<BodyCue> axes_cues(const RecordedPoints& points) {
 
 constexpr const char* kAxisWords[] = {"x", "y", "z", "-x", "-y", "-z"};
 
-}  // namespace
+struct AxesChoice {
+  std::string axes;
+  Eigen::Matrix3d world_from_recorded;  ///< a reflection if the axes are left-handed
+  double agreement;
+};
 
-Guess guess_axes(const RecordedPoints& points) {
-  const std::vector<BodyCue> cues = axes_cues(points);
-  if (cues.empty()) return {};
-  struct Choice {
-    std::string axes;
-    double agreement;
-  };
-  std::vector<Choice> choices;
+/// Returns the 24 choices of axes of one handedness, those that agree best first.
+std::vector<AxesChoice> axes_choices(const std::vector<BodyCue>& cues, Handedness handedness) {
+  std::vector<AxesChoice> choices;
   double weight_sum = 0;
   for (const BodyCue& cue : cues) weight_sum += cue.weight;
   for (int right = 0; right < 6; ++right) {
@@ -51,19 +51,47 @@ Guess guess_axes(const RecordedPoints& points) {
         if (right % 3 == forward % 3 || right % 3 == up % 3 || forward % 3 == up % 3) continue;
         const std::string axes =
             fmt::format("{} {} {}", kAxisWords[right], kAxisWords[forward], kAxisWords[up]);
-        Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
-        for (const auto& [row, axis] : {std::pair(0, right), {1, forward}, {2, up}})
-          rotation(row, axis % 3) = axis < 3 ? 1 : -1;
-        if (rotation.determinant() > 0)
-          choices.push_back({axes, weighted_cosines(cues, rotation) / weight_sum});
+        const Eigen::Matrix3d rotation = world_from_points(axes, "");
+        if ((rotation.determinant() > 0) == (handedness == Handedness::right))
+          choices.push_back({axes, rotation, weighted_cosines(cues, rotation) / weight_sum});
       }
     }
   }
-  std::ranges::stable_sort(choices, std::ranges::greater{}, &Choice::agreement);
-  const Eigen::Matrix3d rotation = world_from_recorded(choices[0].axes, "");
+  std::ranges::stable_sort(choices, std::ranges::greater{}, &AxesChoice::agreement);
+  return choices;
+}
+
+}  // namespace
+
+double axes_agreement(const RecordedPoints& points, Handedness handedness) {
+  const std::vector<BodyCue> cues = axes_cues(points);
+  return cues.empty() ? kUnknown : axes_choices(cues, handedness).front().agreement;
+}
+
+BodyVertical body_vertical(const RecordedPoints& points) {
+  std::vector<BodyCue> cues = axes_cues(points);
+  std::erase_if(cues, [](const BodyCue& cue) { return cue.undirected; });
+  if (cues.size() < 2) return {};
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double weight_sum = 0;
+  bool trunk_known = false;
+  for (const BodyCue& cue : cues) {
+    covariance += cue.weight * cue.world * cue.recorded.transpose();
+    weight_sum += cue.weight;
+    trunk_known |= cue.source == CueSource::trunk;
+  }
+  const Eigen::Matrix3d rotation = math::nearest_rotation(covariance);
+  return {rotation.transpose() * Vec3::UnitZ(), weighted_cosines(cues, rotation) / weight_sum,
+          trunk_known};
+}
+
+Guess guess_axes(const RecordedPoints& points, Handedness handedness) {
+  const std::vector<BodyCue> cues = axes_cues(points);
+  if (cues.empty()) return {};
+  const std::vector<AxesChoice> choices = axes_choices(cues, handedness);
   std::vector<std::string> reasons;
   for (const BodyCue& cue : cues) {
-    const double cosine = cue.world.dot(rotation * cue.recorded);
+    const double cosine = cue.world.dot(choices[0].world_from_recorded * cue.recorded);
     const bool agrees = (cue.undirected ? std::abs(cosine) : cosine) > kMinCueCosine;
     if (agrees && std::ranges::find(reasons, cue.description) == reasons.end())
       reasons.emplace_back(cue.description);

@@ -24,13 +24,33 @@ struct Guess {
   std::string reason;  ///< half a sentence
 };
 
+/// The handedness of recorded axes; data in left-handed ones are the mirror image of a body.
+enum class Handedness : std::uint8_t { right, left };
+
 /// Guesses the recorded axes that point right, forward and up, as in Conventions::axes: of the 24
-/// right-handed choices the one that agrees best with the cues of trunk and arms (body_cues.hpp).
-Guess guess_axes(const RecordedPoints& points);
+/// choices of this handedness the one that agrees best with the cues of trunk and arms
+/// (body_cues.hpp).
+Guess guess_axes(const RecordedPoints& points, Handedness handedness = Handedness::right);
+
+/// Returns the agreement of the axes that guess_axes() finds: the weighted mean of the cosines
+/// between the recorded cues and their usual directions, up to 1; NaN if there are no cues.
+double axes_agreement(const RecordedPoints& points, Handedness handedness);
+
+/// The vertical of a recorded body.
+struct BodyVertical {
+  Vec3 up = unknown_point();    ///< unit vector in the recorded axes; unseen without two cues
+  double agreement = kUnknown;  ///< of the rotation, as for axes_agreement()
+  bool trunk_known = false;     ///< true if a cue is the trunk's, not only an arm's
+};
+
+/// Returns the direction that is up for the rotation, not only of whole axes, that agrees best with
+/// the directed cues of trunk and arms.
+BodyVertical body_vertical(const RecordedPoints& points);
 
 /// Guesses the unit of length, as in Conventions::unit: the one of mm, cm, m, in and ft with which
-/// upper arm, forearm, shoulders and hand have usual lengths; if none fits, metres per unit as a
-/// number. Without such lengths, it is the one of mm, cm and m that fits the extent of all points.
+/// upper arm, forearm, shoulders, hand and fingers have usual lengths; if none fits them all, the
+/// one that fits most of them, and the reason says that the names cannot be right. Without such
+/// lengths, it is the one of mm, cm and m that fits the extent of all points.
 Guess guess_unit(const RecordedPoints& points);
 
 /// Guesses the frames per second: the usual rate with which the fastest points of 5 % of the frames

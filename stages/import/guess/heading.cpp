@@ -119,11 +119,11 @@ void apply_body_heading(const Conventions& given, Demonstration& demonstration) 
   demonstration.import_notes.push_back(heading_report(*facing));
 }
 
-/// Reports that body and axes disagree; if the axes were given, only if the body is not upright.
-void report_axes_mismatch(bool given, Demonstration& demonstration) {
+/// Reports that the body faces another way than the axes. (Whether it is upright is the audit's.)
+void report_axes_mismatch(Demonstration& demonstration) {
   const Guess guess = guess_axes(recorded_points(demonstration.streams, demonstration.hand));
   const bool upright = guess.value.ends_with(" z");
-  if (guess.confidence != Confidence::sure || guess.value == "x y z" || (given && upright)) return;
+  if (guess.confidence != Confidence::sure || guess.value == "x y z" || !upright) return;
   demonstration.import_notes.push_back(
       fmt::format("the posture of the body contradicts the axes: its right, forward and up are "
                   "'{}' ({}); give --axes",
@@ -137,7 +137,7 @@ void align_heading(const Conventions& given, Demonstration& demonstration) {
   if (streams.skeleton && streams.skeleton->reconstructed) return;
   if (!streams.markers && !streams.sensors && !streams.skeleton) return;
   if (given.forward == ForwardSource::body) apply_body_heading(given, demonstration);
-  report_axes_mismatch(!given.axes.empty(), demonstration);
+  if (given.axes.empty()) report_axes_mismatch(demonstration);
 }
 
 }  // namespace morphe::imports

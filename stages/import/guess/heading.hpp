@@ -26,8 +26,8 @@ std::optional<HeadingEstimate> estimate_heading(const RecordedPoints& points, Si
 /// Rotates a recording, its calibration and its objects about the vertical, so that the person
 /// faces Y. Keeps the heading if `given.forward` is `recorded`, if its cues are missing or
 /// contradict each other, or if `given` has axes and the trunk was not recorded. Adds notes on the
-/// rotation, on contradictory cues, and on axes that contradict the body; axes in `given` only if
-/// the body is not upright. Keypoints without an arm and reconstructed skeletons are unchanged.
+/// rotation, on contradictory cues, and on axes, unless `given`, along which an upright body does
+/// not face. Keypoints without an arm and reconstructed skeletons are unchanged.
 void align_heading(const Conventions& given, Demonstration& demonstration);
 
 }  // namespace morphe::imports

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/motion/human_motion.hpp"
+#include "stages/import/guess/finger_joint.hpp"
 #include "stages/import/guess/name_guess.hpp"
 #include "stages/import/guess/recorded_name.hpp"
 #include "stages/import/recording/arm_names.hpp"
@@ -13,6 +14,7 @@ namespace {
 struct SkeletonNames {
   std::vector<RecordedName> names;
   std::vector<int> parent, depth;
+  BodyTerm only_side = BodyTerm::filler;  ///< of all joints, if no name has a side
 
   std::optional<int> parent_of(int joint) const {
     return parent[joint] < 0 ? std::nullopt : std::optional(parent[joint]);
@@ -23,10 +25,13 @@ struct SkeletonNames {
     } while (joint >= 0 && joint != ancestor);
     return joint >= 0;
   }
+  bool is_of_side(int joint, BodyTerm side) const {
+    return names[joint].has(side) || only_side == side;
+  }
 };
 
 SkeletonNames skeleton_of(const std::vector<std::string>& names,
-                          const std::vector<std::string>& parents) {
+                          const std::vector<std::string>& parents, Side hand) {
   SkeletonNames skeleton;
   std::map<std::string, int> index;
   for (int j = 0; j < std::ssize(names); ++j) {
@@ -37,6 +42,10 @@ SkeletonNames skeleton_of(const std::vector<std::string>& names,
     skeleton.depth.push_back(parent < 0 ? 0 : skeleton.depth[parent] + 1);
     index.emplace(names[j], j);
   }
+  if (std::ranges::none_of(skeleton.names, [](const RecordedName& name) {
+        return name.has(BodyTerm::left) || name.has(BodyTerm::right);
+      }))
+    skeleton.only_side = hand == Side::left ? BodyTerm::left : BodyTerm::right;
   return skeleton;
 }
 
@@ -70,7 +79,7 @@ std::optional<int> first_joint(const SkeletonNames& skeleton, BodyTerm side, Nam
   std::optional<int> first;
   for (int j = 0; j < std::ssize(skeleton.names); ++j) {
     const RecordedName& name = skeleton.names[j];
-    if (!name.has(side) || name.has(BodyTerm::twist) || !test(name)) continue;
+    if (!skeleton.is_of_side(j, side) || name.has(BodyTerm::twist) || !test(name)) continue;
     if (ancestor && !skeleton.is_below(j, *ancestor)) continue;
     if (!first || skeleton.depth[j] < skeleton.depth[*first]) first = j;
   }
@@ -97,14 +106,9 @@ bool is_of_finger(const RecordedName& name, int finger) {
   return number == finger;
 }
 
-/// Adds the names of the finger's joints: the last four of a chain; those before are in the palm.
-void add_finger(const SkeletonNames& skeleton, const std::vector<std::string>& names,
-                const std::string& side, int wrist, int finger, GuessedNames& guessed) {
-  std::vector<int> chain;
-  for (int j = 0; j < std::ssize(names); ++j) {
-    if (!skeleton.is_below(j, wrist) || !is_of_finger(skeleton.names[j], finger)) continue;
-    if (chain.empty() || skeleton.is_below(j, chain.back())) chain.push_back(j);
-  }
+/// Adds the names of the joints of a chain: the last four; those before are in the palm.
+void add_chain(const std::vector<std::string>& names, const std::string& side,
+               std::vector<int> chain, int finger, GuessedNames& guessed) {
   const std::vector<std::string> joints = finger_joint_names(finger);
   if (chain.size() > 4) chain.erase(chain.begin(), chain.end() - 4);
   // Indices in `joints` of the members of a chain, by the number of its members.
@@ -115,11 +119,45 @@ void add_finger(const SkeletonNames& skeleton, const std::vector<std::string>& n
     guessed.emplace_back(names[chain[i]], side + joints[indices[i]]);
 }
 
+/// Returns true if the name is that of the parent and "_end": an end site without a name.
+bool is_unnamed_end(const SkeletonNames& skeleton, const std::vector<std::string>& names, int j) {
+  const std::optional<int> parent = skeleton.parent_of(j);
+  return parent && names[j] == names[*parent] + "_end";
+}
+
+/// Adds the names of joints that are side by side, as in a list of points: by their words alone.
+void add_by_words(const SkeletonNames& skeleton, const std::vector<std::string>& names,
+                  const std::string& side, const std::vector<int>& members, int finger,
+                  GuessedNames& guessed) {
+  std::map<std::string, int> joints;
+  for (const int j : members) {
+    if (is_unnamed_end(skeleton, names, j)) continue;
+    const std::string joint = finger_joint_of(skeleton.names[j], finger);
+    if (!joint.empty()) joints.emplace(joint, j);
+  }
+  for (const auto& [joint, j] : joints) guessed.emplace_back(names[j], side + joint);
+}
+
+void add_finger(const SkeletonNames& skeleton, const std::vector<std::string>& names,
+                const std::string& side, int wrist, int finger, GuessedNames& guessed) {
+  std::vector<int> members, chain;
+  for (int j = 0; j < std::ssize(names); ++j) {
+    if (!skeleton.is_below(j, wrist) || !is_of_finger(skeleton.names[j], finger)) continue;
+    members.push_back(j);
+    if (chain.empty() || skeleton.is_below(j, chain.back())) chain.push_back(j);
+  }
+  if (chain.size() == members.size()) {
+    add_chain(names, side, std::move(chain), finger, guessed);
+  } else {
+    add_by_words(skeleton, names, side, members, finger, guessed);
+  }
+}
+
 }  // namespace
 
 GuessedNames guess_joints(const std::vector<std::string>& names,
-                          const std::vector<std::string>& parents) {
-  const SkeletonNames skeleton = skeleton_of(names, parents);
+                          const std::vector<std::string>& parents, Side hand) {
+  const SkeletonNames skeleton = skeleton_of(names, parents, hand);
   GuessedNames guessed;
   for (const auto& [side, begin] : {std::pair(BodyTerm::left, std::string("left_")),
                                     std::pair(BodyTerm::right, std::string("right_"))}) {
@@ -132,7 +170,10 @@ GuessedNames guess_joints(const std::vector<std::string>& names,
     auto elbow = first_joint(skeleton, side, shoulder, &names_elbow, &names_forearm);
     const auto wrist =
         first_joint(skeleton, side, elbow ? elbow : shoulder, &names_wrist, &names_hand);
-    if (!elbow && wrist) elbow = skeleton.parent_of(*wrist);
+    // What is above a hand alone, such as the root of the scene, has no side in its name.
+    if (const auto above = wrist ? skeleton.parent_of(*wrist) : std::nullopt;
+        !elbow && above && skeleton.names[*above].has(side))
+      elbow = above;
     if (!shoulder && elbow) shoulder = skeleton.parent_of(*elbow);
     if (elbow || wrist) add(shoulder, "shoulder");
     add(elbow, "elbow");

@@ -12,10 +12,12 @@ namespace morphe::imports {
 using GuessedNames = std::vector<std::pair<std::string, std::string>>;
 
 /// Guesses the names of a skeleton's joints from the words of their names and the hierarchy. A
-/// finger is the chain of joints below the wrist whose names contain its word. `parents` has the
-/// names of the joints' parents, which precede them, or "". Joints without a guess are left out.
+/// finger is the chain of joints below the wrist whose names contain its word; if its joints are
+/// side by side instead, their words decide. `parents` has the names of the joints' parents, which
+/// precede them, or "". If no name has a side, all are those of `hand`. Joints without a guess are
+/// left out.
 GuessedNames guess_joints(const std::vector<std::string>& names,
-                          const std::vector<std::string>& parents);
+                          const std::vector<std::string>& parents, Side hand);
 
 /// Guesses the names of points: markers (RUAR1, RLEP, …) if at least three are on one upper arm or
 /// forearm, or if both sides of an elbow are present, otherwise joints. A name without a side is

@@ -16,18 +16,10 @@ constexpr const char* kFolder = "configs/names";
 
 /// Returns the maps in configs/names. Invalid files are ignored, since the user did not name them.
 std::vector<ShippedNameMap> shipped_maps() {
-  std::vector<fs::path> file_names;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry :
-       fs::directory_iterator(files::resolve_data_file(kFolder), ignored)) {
-    if (entry.path().extension() == ".yaml") file_names.push_back(entry.path().filename());
-  }
-  std::ranges::sort(file_names);
   std::vector<ShippedNameMap> maps;
-  for (const fs::path& name : file_names) {
+  for (const fs::path& file : shipped_name_files()) {
     try {
-      const fs::path file = kFolder / name;
-      maps.push_back({file, read_names(files::resolve_data_file(file))});
+      maps.push_back({kFolder / file.filename(), read_names(file)});
     } catch (const InputError&) {
       continue;
     }
@@ -36,6 +28,17 @@ std::vector<ShippedNameMap> shipped_maps() {
 }
 
 }  // namespace
+
+std::vector<fs::path> shipped_name_files() {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry :
+       fs::directory_iterator(files::resolve_data_file(kFolder), ignored)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
 
 NameMap read_names(const fs::path& file) {
   NameMap names;

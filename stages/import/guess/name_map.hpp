@@ -20,6 +20,9 @@ struct ShippedNameMap {
   NameMap names;               ///< its contents
 };
 
+/// Returns the files of configs/names, as they are found on this system.
+std::vector<std::filesystem::path> shipped_name_files();
+
 /// Returns the largest of the maps in configs/names whose keys are all among the recorded names; no
 /// value if there is no such map or the two largest are equal in size.
 std::optional<ShippedNameMap> find_shipped_names(const std::vector<std::string>& recorded);

@@ -4,9 +4,11 @@
 
 #include "core/motion/human_motion.hpp"
 #include "stages/import/guess/constants.hpp"
+#include "stages/import/guess/finger_joint.hpp"
 #include "stages/import/guess/name_guess.hpp"
 #include "stages/import/guess/recorded_name.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/name_sides.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -24,22 +26,6 @@ struct PointAssignment {
   bool left = false;
   std::string finger_joint;  ///< "index_tip"
 };
-
-/// Returns the finger's joint that a term or the last number denotes, its tip without both; or "".
-std::string finger_joint_of(const RecordedName& w, std::size_t finger_index) {
-  using enum BodyTerm;
-  const std::vector<std::string> joints = finger_joint_names(finger_index);
-  const bool thumb_joints = finger_index == kThumb;
-  if (w.has(tip)) return joints[3];
-  if (w.has(metacarpal) || w.has(cmc)) return thumb_joints ? joints[0] : "";
-  if (w.has(mcp) || w.has(proximal)) return joints[thumb_joints ? 1 : 0];
-  if (w.has(ip) || (thumb_joints && (w.has(distal) || w.has(dip)))) return joints[2];
-  if (w.has(pip) || w.has(intermediate)) return thumb_joints ? "" : joints[1];
-  if (w.has(dip) || w.has(distal)) return joints[2];
-  if (w.numbers.empty()) return joints[3];
-  const int number = w.numbers.back();
-  return number >= 1 && number <= 4 ? joints[number - 1] : "";
-}
 
 PointAssignment classify_finger_point(const RecordedName& w) {
   using enum BodyTerm;
@@ -74,10 +60,25 @@ PointPart classify_arm_point(const RecordedName& w) {
   return w.has(hand) ? PointPart::hand : PointPart::none;
 }
 
-PointAssignment classify_point(const std::string& name, Side recorded_hand) {
+/// Returns the parsed name with the sides that all names of the file together tell.
+RecordedName parse_sided_name(const std::string& name, const NameSide& side) {
   using enum BodyTerm;
-  const RecordedName w = parse_recorded_name(name);
+  RecordedName w = parse_recorded_name(name);
+  if (side.joint == PointSide::unstated) return w;
+  std::erase_if(w.terms, [](BodyTerm term) { return term == left || term == right; });
+  if (side.body) w.terms.push_back(*side.body == Side::left ? left : right);
+  w.terms.push_back(side.joint == PointSide::lateral  ? lateral
+                    : side.joint == PointSide::medial ? medial
+                    : side.joint == PointSide::radial ? radial
+                                                      : ulnar);
+  return w;
+}
+
+PointAssignment classify_point(const std::string& name, const NameSide& side, Side recorded_hand) {
+  using enum BodyTerm;
+  const RecordedName w = parse_sided_name(name, side);
   const bool sided = w.has(left) || w.has(right);
+  if (w.has(quantity) && !w.has(scapula)) return {};  // but the scapula has an inferior angle
   for (const BodyTerm elsewhere : {head, neck, trunk, pelvis, clavicle, knee, ankle, foot, toe}) {
     if (w.has(elsewhere) && !w.has(hand)) return {};  // "back of the hand" is on an arm
   }
@@ -180,8 +181,10 @@ GuessedNames numbered_hand(const std::vector<std::string>& names, Side hand) {
 GuessedNames guess_points(const std::vector<std::string>& names, Side hand) {
   NamesOfSide points[2];  // right, left
   bool any_assigned = false;
-  for (const std::string& name : names) {
-    const PointAssignment assignment = classify_point(name, hand);
+  const std::vector<NameSide> sides = sides_of_names(names);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::string& name = names[k];
+    const PointAssignment assignment = classify_point(name, sides[k], hand);
     NamesOfSide& side = points[assignment.left];
     any_assigned = any_assigned || assignment.part != PointPart::none;
     if (assignment.part == PointPart::finger) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "stages/import/guess/constants.hpp"
+#include "stages/import/recording/name_sides.hpp"
 #include "stages/import/recording/name_words.hpp"
 
 namespace morphe::imports {
@@ -23,9 +24,8 @@ struct KnownWords {
 const std::vector<KnownWords>& known_words() {
   using enum BodyTerm;
   static const std::vector<KnownWords> all = {
-      {{left}, "l left lt lft links linke linker gauche izquierda izquierdo sinistra sinistro 左"},
-      {{right},
-       "r right rt rgt rechts rechte rechter droit droite derecha derecho destra destro 右"},
+      {{left}, "l"},
+      {{right}, "r"},
       {{upper}, "upper up"},
       {{lower}, "lower low lo fore"},
       {{arm}, "arm bras"},
@@ -40,7 +40,7 @@ const std::vector<KnownWords>& known_words() {
       {{scapula}, "scapula scap"},
       {{clavicle}, "clavicle clav collar"},
       {{elbow}, "elbow elb ellbogen ellenbogen coude codo gomito cotovelo elleboog ひじ 肘"},
-      {{epicondyle}, "epicondyle epicond epic condyle"},
+      {{epicondyle}, "epicondyle epicond epic ep condyle"},
       {{lateral}, "lateral lat outer outside"},
       {{medial}, "medial med inner inside"},
       {{wrist}, "wrist wri wr handgelenk poignet muneca muñeca polso pulso pols 手首 手腕"},
@@ -49,8 +49,8 @@ const std::vector<KnownWords>& known_words() {
       {{index, mcp}, "fin"},
       {{epicondyle, lateral}, "hle"},
       {{epicondyle, medial}, "hme"},
-      {{styloid, radial}, "rsp"},
-      {{styloid, ulnar}, "usp"},
+      {{styloid, radial}, "rsp rs"},
+      {{styloid, ulnar}, "usp us"},
       {{styloid}, "styloid styl"},
       {{radial}, "radial radius rad"},
       {{ulnar}, "ulnar ulna uln"},
@@ -85,7 +85,14 @@ const std::vector<KnownWords>& known_words() {
       {{ankle}, "ankle"},
       {{foot}, "foot heel"},
       {{toe}, "toe"},
+      {{ankle}, "fal tam malleolus"},  // of the set of the Istituto Ortopedico Rizzoli
+      {{knee}, "fle fme fax ttc"},     // the same
+      {{foot}, "fcc"},                 // the same
+      {{pelvis}, "ias ips"},           // the same
       {{twist}, "twist roll share"},
+      {{quantity},
+       "angle angles moment moments power powers force forces torque torques velocity velocities "
+       "acceleration speed"},
       {{filler},
        "bone joint jnt marker mrk point bip cc def f centre center jc pos "
        "position de du of the cluster cl plate landmark mixamorig ０ １ ２ ３ ４"},
@@ -99,6 +106,10 @@ const std::map<std::string, BodyTerms, std::less<>>& terms_by_word() {
     for (const KnownWords& entry : known_words()) {
       std::istringstream words{std::string(entry.words)};
       for (std::string word; words >> word;) terms[word] = entry.terms;
+    }
+    for (const Side side : {Side::left, Side::right}) {
+      for (const std::string_view word : side_words(side))
+        terms[std::string(word)] = {side == Side::left ? BodyTerm::left : BodyTerm::right};
     }
     return terms;
   }();
@@ -121,6 +132,11 @@ std::optional<BodyTerms> terms_in(std::string_view letters) {
     fewest = std::move(terms);
   }
   return fewest;
+}
+
+bool contains_side(const BodyTerms& terms) {
+  return std::ranges::any_of(
+      terms, [](BodyTerm term) { return term == BodyTerm::left || term == BodyTerm::right; });
 }
 
 /// Splits a name into runs of letters and runs of digits, in small letters. A capital begins a new
@@ -150,12 +166,19 @@ RecordedName parse_recorded_name(std::string_view name) {
   if (const std::size_t colon = name.rfind(':'); colon + 1 < name.size())  // npos + 1 is 0
     name.remove_prefix(colon + 1);
   RecordedName result;
-  for (const std::string& piece : split_into_pieces(name)) {
+  const std::vector<std::string> pieces = split_into_pieces(name);
+  const bool has_side = std::ranges::any_of(pieces, [](const std::string& piece) {
+    const auto known = terms_by_word().find(piece);
+    return known != terms_by_word().end() && contains_side(known->second);
+  });
+  for (const std::string& piece : pieces) {
     if (char_class(piece[0]) == CharClass::digit) {
       result.numbers.push_back(piece.size() <= kMaxDigits ? std::stoi(piece) : 0);
       continue;
     }
-    if (const std::optional<BodyTerms> terms = terms_in(piece)) {
+    const std::optional<BodyTerms> terms = terms_in(piece);
+    // In R_FAL, FAL does not contain a second side.
+    if (terms && !(has_side && terms->size() > 1 && contains_side(*terms))) {
       result.terms.insert(result.terms.end(), terms->begin(), terms->end());
     } else {
       result.has_unknown_word = true;

@@ -15,7 +15,7 @@ enum class BodyTerm : std::uint8_t {
   wrist, styloid, radial, ulnar, hand, finger, thumb, index, middle, ring, little,
   tip, mcp, pip, dip, ip, cmc, proximal, intermediate, distal, metacarpal,
   leg, thigh, shin, hip, pelvis, head, neck, trunk, knee, ankle, foot, toe,
-  twist, filler
+  twist, quantity, filler
 };
 // clang-format on
 

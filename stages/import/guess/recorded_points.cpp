@@ -63,6 +63,8 @@ void add_columns(const std::vector<std::string>& names, const std::vector<double
   }
 }
 
+}  // namespace
+
 std::vector<std::string> hand_point_names(HandKind kind, const std::string& side) {
   std::vector<std::string> names;
   if (kind == HandKind::keypoints) names.push_back(side + "_wrist");
@@ -73,8 +75,6 @@ std::vector<std::string> hand_point_names(HandKind kind, const std::string& side
   }
   return names;
 }
-
-}  // namespace
 
 RecordedPoints recorded_points(const Streams& streams, Side hand) {
   RecordedPoints points;

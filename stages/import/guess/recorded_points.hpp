@@ -18,9 +18,16 @@ struct RecordedPoints {
   Array2D<Vec3> position;            ///< [N, K]
 };
 
+/// Returns the names of the points of a hand stream of keypoints or fingertips: "right_thumb_tip".
+std::vector<std::string> hand_point_names(HandKind kind, const std::string& side);
+
 /// Returns the markers and, if its times are the same, the joints of the skeleton; without them,
 /// the sensors with a hand's fingertips, or the points of a hand. `hand` is their side.
 RecordedPoints recorded_points(const Streams& streams, Side hand);
+
+/// Returns the names of a hand's points: "right_wrist", "right_thumb_cmc", … "right_little_tip" of
+/// keypoints, and those of the five tips of any other kind. `side` is "right" or "left".
+std::vector<std::string> hand_point_names(HandKind kind, const std::string& side);
 
 /// Returns in each frame the mean of the seen points whose part has this prefix ("right elbow"
 /// includes both epicondyles), or an unseen point.

@@ -4,54 +4,33 @@
 #include <cmath>
 
 #include "core/math/statistics.hpp"
+#include "stages/import/guess/body_lengths.hpp"
 #include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/convention_guess.hpp"
 
 namespace morphe::imports {
 namespace {
 
-/// A length of the body in recorded units and its usual value [m].
-struct BodyLength {
-  const char* name;
-  double recorded, usual_m;
-};
-
-/// Returns the lengths that were recorded, with the usual values of adults between joint centres.
-/// Clusters of markers in place of joint centres make a length up to a third shorter or longer.
-std::vector<BodyLength> body_lengths(const RecordedPoints& points) {
-  std::vector<BodyLength> lengths;
-  const auto add = [&](const char* name, const std::string& from, const std::string& to,
-                       double usual_m) {
-    const double length = math::median_distance(mean_track(points, from), mean_track(points, to));
-    if (length > 0) lengths.push_back({name, length, usual_m});
-  };
-  add("shoulders", "left shoulder", "right shoulder", 0.36);
-  for (const std::string side : {"right ", "left "}) {
-    add("upper arm", side + "shoulder", side + "elbow", 0.29);
-    add("forearm", side + "elbow", side + "wrist", 0.26);
-    add("hand", side + "wrist", side + "middle tip", 0.18);
-    add("hand", side + "wrist", side + "index tip", 0.17);
-    add("upper arm to forearm", side + "upper arm", side + "forearm", 0.25);
-    add("forearm to hand", side + "forearm", side + "hand", 0.2);
-    add("hand to index tip", side + "hand", side + "index tip", 0.12);
-  }
-  return lengths;
-}
-
 constexpr std::pair<const char*, double> kUnits[] = {
     {"mm", 0.001}, {"cm", 0.01}, {"m", 1}, {"in", 0.0254}, {"ft", 0.3048}};
+
+/// Returns how far a length is from its usual value, with units of this length [m].
+double log_ratio(const BodyLength& length, double metres) { return std::log(length.ratio(metres)); }
 
 double misfit(const std::vector<BodyLength>& lengths, double metres) {
   double sum = 0;
   for (const BodyLength& length : lengths) {
-    const double log_ratio = std::log(length.recorded * metres / length.usual_m);
-    sum += log_ratio * log_ratio;
+    const double log_misfit = log_ratio(length, metres);
+    sum += log_misfit * log_misfit;
   }
   return std::sqrt(sum / static_cast<double>(lengths.size()));
 }
 
-std::string length_text(double metres) {
-  return metres < 0.995 ? fmt::format("{:.0f} mm", 1000 * metres) : fmt::format("{:.2f} m", metres);
+/// Returns the misfit of most lengths, which a point in the wrong place does not change.
+double median_misfit(const std::vector<BodyLength>& lengths, double metres) {
+  std::vector<double> misfits;
+  for (const BodyLength& length : lengths) misfits.push_back(std::abs(log_ratio(length, metres)));
+  return math::median(misfits);
 }
 
 Guess guess_unit_from_extent(const RecordedPoints& points) {
@@ -80,12 +59,16 @@ Guess guess_unit(const RecordedPoints& points) {
     return {unit, unit_misfit < kSureMisfit ? Confidence::sure : Confidence::likely,
             fmt::format("{} {} long", first.name, length_text(first.recorded * unit_m))};
   }
-  double log_sum = 0;
-  for (const BodyLength& length : lengths) log_sum += std::log(length.usual_m / length.recorded);
-  const double metres = std::exp(log_sum / static_cast<double>(lengths.size()));
-  return {fmt::format("{:.3g}", metres), Confidence::guessed,
-          fmt::format("gives the body usual lengths ({} {}); mm, cm, m, in and ft do not",
-                      first.name, length_text(first.recorded * metres))};
+  const auto [likeliest, metres] = *std::ranges::min_element(
+      kUnits, {}, [&](const auto& known) { return median_misfit(lengths, known.second); });
+  const BodyLength& worst = *std::ranges::max_element(lengths, {}, [&](const BodyLength& length) {
+    return std::abs(std::log(length.ratio(metres)));
+  });
+  return {
+      likeliest, Confidence::guessed,
+      fmt::format("the nearest unit, although {} would then measure {} instead of {}: the "
+                  "names cannot be right",
+                  worst.name, length_text(worst.recorded * metres), length_text(worst.usual_m))};
 }
 
 Guess guess_rate(const RecordedPoints& points, double unit_m) {

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "stages/import/guess/constants.hpp"
@@ -12,6 +13,7 @@
 #include "stages/import/guess/plausibility.hpp"
 #include "stages/import/guess/recording_summary.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/repeated_rows.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -29,25 +31,15 @@ void set_placeholder(Conventions& conventions, const std::string& key) {
   if (key != "joint_order") set_convention(conventions, key, key == "axes" ? "x y z" : "1");
 }
 
-/// Reads the recording without plausibility checks, with placeholders for `key`, unless it is "",
-/// and for the conventions that are missing.
-Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,
-                             const std::string& key) {
-  std::set<std::string> replaced = {key};
-  files.conventions.plausibility_checks = false;
-  set_placeholder(files.conventions, key);
-  while (true) {
-    try {
-      return format.read(files);
-    } catch (const UnresolvedConvention& missing) {
-      if (!replaced.insert(missing.key).second) throw;
-      set_placeholder(files.conventions, missing.key);
-    }
-  }
+/// Reads the recording, without rows that repeat a time.
+Demonstration read_rows(const RecordingFormat& format, const RecordingFiles& files) {
+  Demonstration demonstration = format.read(files);
+  drop_repeated_rows(files.file.string(), demonstration);
+  return demonstration;
 }
 
 Demonstration read_checked(const RecordingFormat& format, const RecordingFiles& files) {
-  Demonstration demonstration = format.read(files);
+  Demonstration demonstration = read_rows(format, files);
   check_plausibility(files.file.string(), demonstration);
   return demonstration;
 }
@@ -74,6 +66,19 @@ GuessedNames recognised_names(const std::vector<std::string>& names) {
   return known;
 }
 
+int count_tips(const GuessedNames& names) {
+  return static_cast<int>(std::ranges::count_if(
+      names, [](const auto& entry) { return body_part(entry.second).ends_with(" tip"); }));
+}
+
+/// Returns true if the names are a wrist's and those of five fingertips.
+bool cover_a_hand(const GuessedNames& names) {
+  constexpr int kFingers = 5;
+  return count_tips(names) >= kFingers && std::ranges::any_of(names, [](const auto& entry) {
+           return body_part(entry.second).ends_with(" wrist");
+         });
+}
+
 /// Returns true if an arm, or the keypoints of a hand, can be reconstructed from the names.
 bool cover_an_arm(const GuessedNames& names) {
   const auto any = [&](std::initializer_list<const char*> parts) {
@@ -83,10 +88,7 @@ bool cover_an_arm(const GuessedNames& names) {
           parts, [&](const char* word) { return part.find(word) != std::string::npos; });
     });
   };
-  const auto tips = std::ranges::count_if(
-      names, [](const auto& entry) { return body_part(entry.second).ends_with(" tip"); });
-  const bool hand = any({"wrist"}) && tips >= 5 && names.size() >= kHandPointCount;
-  return hand ||
+  return (cover_a_hand(names) && names.size() >= kHandPointCount) ||
          (any({"shoulder", "upper arm"}) && any({"elbow", "forearm"}) && any({"wrist", "hand"}));
 }
 
@@ -94,7 +96,7 @@ bool cover_an_arm(const GuessedNames& names) {
 GuessedNames guess_names(const Demonstration& seen, const GuessedNames& known, Side hand) {
   const RecordedPoints points = recorded_points(seen.streams, hand);
   GuessedNames guessed = points.parents.empty() ? guess_points(names_in(seen, hand), hand)
-                                                : guess_joints(points.names, points.parents);
+                                                : guess_joints(points.names, points.parents, hand);
   std::erase_if(guessed, [&](const auto& entry) {
     return std::ranges::any_of(known, [&](const auto& own) {
       return own.first == entry.first || own.second == entry.second;
@@ -120,6 +122,10 @@ Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& forma
   Guess guess = key == "axes"   ? guess_axes(points)
                 : key == "unit" ? guess_unit(points)
                                 : guess_rate(points, 1);
+  const bool usual_known = key == "axes" && !missing.likely_value.empty();
+  if (usual_known && (guess.value.empty() || guess.confidence == Confidence::guessed))
+    return {missing.likely_value, Confidence::guessed,
+            "usual in such files; the recording does not tell; enter the true ones"};
   if (!guess.value.empty()) return guess;
   return {key == "axes"   ? "x y z"
           : key == "unit" ? "mm"
@@ -127,24 +133,38 @@ Guess guess_of(const UnresolvedConvention& missing, const RecordingFormat& forma
           Confidence::guessed, "cannot be derived from the recording; enter the true value"};
 }
 
+/// Throws the error about a convention with which no proposed value makes the recording plausible.
+[[noreturn]] void throw_unanswerable(const UnresolvedConvention& missing) {
+  if (missing.key != "unit") throw missing;
+  throw UnresolvedConvention(
+      "unit", fmt::format("{}; mm, cm, m, in and ft do not make it plausible: names or positions "
+                          "cannot be right",
+                          missing.what()));
+}
+
 /// Proposes conventions until the recording can be read, and adds a line of the message for each.
 /// Throws UnresolvedConvention if the recording cannot be read with the proposed value of one.
 void propose_conventions(const RecordingFormat& format, RecordingFiles files,
                          std::vector<std::string>& lines, Proposal& proposal) {
-  std::set<std::string> proposed;
-  std::optional<UnresolvedConvention> missing_order;
+  std::map<std::string, UnresolvedConvention> asked;  // by key: as it was missing at first
   while (true) {
     try {
       read_checked(format, files);
       return;
     } catch (const UnresolvedConvention& missing) {
-      if (missing.key == "joint_order") missing_order = missing;
+      const auto [first, is_new] = asked.emplace(missing.key, missing);
       // A hand with its joints in the wrong order has no plausible unit: report the order instead.
-      if (!proposed.insert(missing.key).second) throw missing_order.value_or(missing);
+      if (!is_new) {
+        const auto order = asked.find("joint_order");
+        throw_unanswerable(order == asked.end() ? first->second : order->second);
+      }
       lines.emplace_back(missing.what());
       Guess guess = guess_of(missing, format, files);
       set_convention(files.conventions, missing.key, guess.value);
       proposal.conventions.emplace_back(missing.key, std::move(guess));
+    } catch (const InputError&) {  // such as fingers that curl to the wrong side
+      if (asked.contains("joint_order")) throw UnresolvedConvention(asked.at("joint_order"));
+      throw;
     }
   }
 }
@@ -165,6 +185,9 @@ void propose_conventions(const RecordingFormat& format, RecordingFiles files,
   UnresolvedImport question(fmt::format("{}", fmt::join(lines, "\n")));
   question.file = files.file.string();
   question.manifest = manifest;
+  question.static_trial = files.static_trial.string();
+  question.given = files.conventions;
+  if (files.hand == Side::left) question.hand = files.hand;
   RecordingSummary summary =
       summarise_points(recorded_points(seen.streams, files.hand), named.name_map);
   summary.file = question.file;
@@ -174,9 +197,9 @@ void propose_conventions(const RecordingFormat& format, RecordingFiles files,
     if (key == "rate") summary.rate_hz = 0;
   }
   question.summary = summary_text(summary);
+  const GuessedNames all = merged_names(recognised_names(names_in(seen, files.hand)), names);
   question.names_unresolved =
-      has_names(seen) && files.name_map.empty() &&
-      !cover_an_arm(merged_names(recognised_names(names_in(seen, files.hand)), names));
+      has_names(seen) && files.name_map.empty() && !cover_an_arm(all) && !cover_a_hand(all);
   if (readable && proposal.conventions.empty()) question.demonstration = seen;
   question.proposal = std::move(proposal);
   throw question;
@@ -198,6 +221,27 @@ Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingF
 }
 
 }  // namespace
+
+Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,
+                             const std::string& key) {
+  std::set<std::string> replaced = {key};
+  files.conventions.plausibility_checks = false;
+  set_placeholder(files.conventions, key);
+  while (true) {
+    try {
+      return read_rows(format, files);
+    } catch (const UnresolvedConvention& missing) {
+      if (!replaced.insert(missing.key).second) throw;
+      set_placeholder(files.conventions, missing.key);
+    }
+  }
+}
+
+UnresolvedImport UnresolvedImport::with_message(const std::string& message) const {
+  UnresolvedImport other = *this;
+  static_cast<InputError&>(other) = InputError(message);
+  return other;
+}
 
 Demonstration read_or_propose(const RecordingFormat& format, const RecordingFiles& files,
                               const std::string& manifest) {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <set>
+
+#include "stages/import/recording/unit_words.hpp"
 
 namespace morphe::imports {
 std::string to_lower(std::string_view text) {
@@ -21,22 +22,10 @@ std::string trim(std::string_view text, std::string_view characters) {
 namespace {
 
 constexpr std::string_view kSeparators = " _.:-/";
-constexpr std::string_view kLengthUnits[] = {"mm",   "cm",     "m",          "in",
-                                             "inch", "meters", "millimeters"};
-constexpr std::string_view kTimeUnits[] = {"s",    "sec",          "secs", "seconds", "ms",
-                                           "msec", "milliseconds", "us",   "µs",      "ns"};
-
-bool is_unit(const std::string& word) {
-  return std::ranges::find(kLengthUnits, word) != std::end(kLengthUnits) ||
-         std::ranges::find(kTimeUnits, word) != std::end(kTimeUnits);
-}
-
-std::string usual_unit(const std::string& word) {
-  static const std::map<std::string, std::string> synonyms = {
-      {"inch", "in"},   {"meters", "m"}, {"millimeters", "mm"},  {"sec", "s"}, {"secs", "s"},
-      {"seconds", "s"}, {"msec", "ms"},  {"milliseconds", "ms"}, {"µs", "us"}};
-  const auto entry = synonyms.find(word);
-  return entry == synonyms.end() ? word : entry->second;
+/// Returns the unit of length or time that a word denotes; "" for any other word.
+std::string unit_of_word(std::string_view word) {
+  const std::string length = length_unit(word);
+  return length.empty() ? time_unit(word) : length;
 }
 
 /// Returns 0 … 3 for the letters x, y, z, w, also followed by a number; -1 for any other word.
@@ -58,16 +47,16 @@ ColumnLabel split_unit(std::string label) {
     const std::size_t open = label.find(brackets[0]);
     const std::size_t close = label.find(brackets[1], std::min(open, label.size()));
     if (close == std::string::npos) continue;
-    const std::string word = to_lower(trim(label.substr(open + 1, close - open - 1), " "));
-    if (!is_unit(word)) continue;
-    result.unit = usual_unit(word);
+    const std::string unit = unit_of_word(label.substr(open + 1, close - open - 1));
+    if (unit.empty()) continue;
+    result.unit = unit;
     label.erase(open, close - open + 1);
   }
   label = trim(label, kSeparators);
   const std::size_t end = label.find_last_of(kSeparators);
-  const std::string last_word = end == std::string::npos ? "" : to_lower(label.substr(end + 1));
-  if (result.unit.empty() && is_unit(last_word)) {
-    result.unit = usual_unit(last_word);
+  const std::string unit = end == std::string::npos ? "" : unit_of_word(label.substr(end + 1));
+  if (result.unit.empty() && !unit.empty()) {
+    result.unit = unit;
     label.erase(end);
   }
   result.text = trim(label, kSeparators);
@@ -92,9 +81,10 @@ std::array<AxisReading, 3> readings_of(const std::string& label) {
 
 bool is_other_quantity(const std::string& name) {
   static const std::set<std::string> kWords = {
-      "rot",  "rotation", "euler",  "quat",  "quaternion",   "orientation", "angle",  "angles",
-      "vel",  "velocity", "acc",    "accel", "acceleration", "force",       "moment", "torque",
-      "gyro", "omega",    "normal", "mag",   "ang",          "angular"};
+      "rot",    "rotation", "euler",    "quat",    "quaternion", "orientation",  "angle",
+      "angles", "vel",      "velocity", "acc",     "accel",      "acceleration", "force",
+      "moment", "torque",   "forces",   "moments", "torques",    "power",        "powers",
+      "gyro",   "omega",    "normal",   "mag",     "ang",        "angular"};
   std::string word;
   for (const char c : to_lower(name) + " ") {
     if (std::isalpha(static_cast<unsigned char>(c))) {

@@ -9,7 +9,7 @@ namespace morphe::imports {
 /// The label of a column without its unit.
 struct ColumnLabel {
   std::string text;
-  std::string unit;  ///< mm, cm, m, in; s, ms, us, ns; "" if absent
+  std::string unit;  ///< as length_unit() or time_unit() name it; "" if absent
 };
 
 /// Splits off "(mm)", "[mm]" or a final word that is a unit ("wrist_x_mm"), and outer separators.

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> names_of(ForwardSource) { return {"bod
 struct Conventions {
   /// The recorded axes that point to the subject's right, forward and up: "x y z", "-z -x y".
   std::string axes;
-  std::string unit;  ///< of lengths: m, cm, mm, in, ft, or metres per unit as a number
+  std::string unit;  ///< of lengths, as length_unit() reads it, or metres per unit
   std::optional<double> rate_hz;
   std::string joint_order = {};                 ///< of a clip's hands: KeypointOrder::name
   bool plausibility_checks = true;              ///< false while a recording is only inspected
@@ -34,14 +34,25 @@ struct Conventions {
 struct UnresolvedConvention : InputError {
   UnresolvedConvention(std::string key_, const std::string& message)
       : InputError(message), key(std::move(key_)) {}
-  std::string key;           ///< field of Conventions: "axes", "unit", "rate" or "joint_order"
-  std::string likely_value;  ///< for joint_order
+  std::string key;  ///< field of Conventions: "axes", "unit", "rate" or "joint_order"
+  /// The joint order that fits best; the usual axes of the format; or "".
+  std::string likely_value;
 };
 
-/// Returns the rotation from recorded coordinates to the world (X right, Y forward, Z up); row k
-/// selects the axis that the k-th word of `axes` names. Throws InputError, prefixed by `source`,
-/// unless the words are three different axes of a right-handed frame.
+/// Returns the rotation from recorded coordinates to the world (X right, Y forward, Z up), or a
+/// reflection if the recorded frame is left-handed; row k selects the axis that the k-th word of
+/// `axes` names. Throws InputError, prefixed by `source`, unless the words are three different
+/// axes.
+Eigen::Matrix3d world_from_points(const std::string& axes, const std::string& source);
+
+/// Returns the same for a recording with orientations, which a reflection cannot transform. Throws
+/// InputError also if the frame is left-handed.
 Eigen::Matrix3d world_from_recorded(const std::string& axes, const std::string& source);
+
+/// Throws UnresolvedConvention "axes" for the file `source`. The message contains `why`, ", and …".
+/// `usual` are the axes to propose if the recording does not tell.
+[[noreturn]] void throw_unknown_axes(const std::string& source, const std::string& why = "",
+                                     const std::string& usual = "");
 
 /// Returns the coordinate axis nearest to a direction, as a word of `axes`, such as "-y".
 std::string axis_word(const Vec3& direction);
@@ -50,7 +61,8 @@ std::string axis_word(const Vec3& direction);
 double metres_per_unit(const std::string& unit, const std::string& source);
 
 /// Returns the metres in one unit: that of `conventions` or, without, `in_file` ("" if absent). A
-/// difference is reported. Throws UnresolvedConvention, prefixed by `source`, if both are absent.
+/// difference is reported. Throws UnresolvedConvention, prefixed by `source`, if the first is
+/// absent and the second absent or unknown.
 double resolve_unit_m(const std::string& in_file, const Conventions& conventions,
                       const std::string& source, std::vector<std::string>& reports);
 /// Returns the frames per second of a file in the same way; `in_file` is 0 if absent.

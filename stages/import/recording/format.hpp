@@ -29,6 +29,8 @@ struct RecordingFormat {
   std::string name;  ///< one of import_format_names()
   bool (*recognises)(std::string_view head);
   Demonstration (*read)(const RecordingFiles& files);
+  /// The keys of Conventions, such as "rate", that the reader does not need and does not use.
+  std::vector<std::string> ignored_conventions = {};
 };
 
 }  // namespace morphe::imports

@@ -9,7 +9,7 @@ NamedColumns::NamedColumns(const files::CsvText& text, std::size_t header_line)
   if (csv.lines.size() <= line)
     csv.fail(csv.lines.size(), "", "the file ends before the first row");
   for (const std::string_view cell : csv.cells(line)) {
-    if (!at_.emplace(cell, names.size()).second) csv.fail(line, cell, "the column appears twice");
+    if (!at_.emplace(cell, names.size()).second) repeated_.emplace(cell);
     names.emplace_back(cell);
   }
 }
@@ -17,6 +17,7 @@ NamedColumns::NamedColumns(const files::CsvText& text, std::size_t header_line)
 std::size_t NamedColumns::at(std::string_view name) const {
   const auto column = at_.find(name);
   if (column == at_.end()) csv.fail(line, name, "the column is missing");
+  if (repeated_.contains(name)) csv.fail(line, name, "the column appears twice");
   return column->second;
 }
 
@@ -33,6 +34,12 @@ std::vector<std::string_view> NamedColumns::cells(std::size_t row_line) const {
              fmt::format("the row has {} cells, the header has {}", row.size(), names.size()));
   }
   return row;
+}
+
+double NamedColumns::number_or_unknown(std::size_t row_line,
+                                       const std::vector<std::string_view>& row,
+                                       std::size_t column) const {
+  return csv.number_or_unknown(row_line, names[column], row[column]);
 }
 
 double NamedColumns::number(std::size_t row_line, const std::vector<std::string_view>& row,

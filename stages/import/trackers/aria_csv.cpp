@@ -8,8 +8,10 @@
 #include <map>
 #include <optional>
 
+#include "core/files/table_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/recording/named_columns.hpp"
+#include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/device_trajectory.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -28,6 +30,7 @@ struct HandColumns {
 struct AriaFile {
   HandClip clip;          ///< in the device's frame
   bool landmarks = true;  ///< false for wrists alone
+  std::vector<std::string> notes;
 };
 
 std::vector<std::string> point_names(const std::string& point) {
@@ -55,8 +58,9 @@ void read_hand(const NamedColumns& columns, std::size_t line,
   const double confidence = columns.number(line, row, places.confidence);
   hand.confidence.push_back(confidence > 0 ? std::min(confidence, 1.0) : 0.0);
   const auto point = [&](const std::vector<std::size_t>& cells) {
-    return Vec3(columns.number(line, row, cells[0]), columns.number(line, row, cells[1]),
-                columns.number(line, row, cells[2]));
+    return Vec3(columns.number_or_unknown(line, row, cells[0]),
+                columns.number_or_unknown(line, row, cells[1]),
+                columns.number_or_unknown(line, row, cells[2]));
   };
   if (!(confidence > 0)) return;
   if (places.landmarks.empty()) {
@@ -71,7 +75,7 @@ void read_hand(const NamedColumns& columns, std::size_t line,
 
 AriaFile read_aria_file(const files::CsvText& csv) {
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
-  const NamedColumns columns(csv, 1);
+  const NamedColumns columns(csv, csv.filled_line(1));
   const std::size_t stamp = columns.at("tracking_timestamp_us");
   const HandColumns right = hand_columns(columns, "right"), left = hand_columns(columns, "left");
   AriaFile read;
@@ -85,6 +89,7 @@ AriaFile read_aria_file(const files::CsvText& csv) {
     read_hand(columns, line, row, right, i, hands[0]);
     read_hand(columns, line, row, left, i, hands[1]);
   }
+  for (RecordedHand& hand : hands) hide_fillers(1, hand.keypoints, read.notes);
   read.clip.hands = {std::move(hands[0]), std::move(hands[1])};
   return read;
 }
@@ -151,17 +156,18 @@ void transform_to_world(const DeviceTrajectory& trajectory, const RecordingFiles
 }  // namespace
 
 bool recognises_aria_csv(std::string_view head) {
-  const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
+  const std::string line = files::first_line_with_commas(head);
   return line.starts_with("tracking_timestamp_us,") &&
-         line.find("left_tracking_confidence") != std::string_view::npos;
+         line.find("left_tracking_confidence") != std::string::npos;
 }
 
 Demonstration read_aria_csv(const RecordingFiles& files) {
-  const files::CsvText csv = files::read_csv(files.file);
+  const files::CsvText csv = files::read_table(files.file);
   AriaFile read = read_aria_file(csv);
   Demonstration demonstration;
   std::vector<std::string>& reports = demonstration.import_notes;
   reports = csv.notes;
+  reports.insert(reports.end(), read.notes.begin(), read.notes.end());
   reports.push_back(
       read.landmarks
           ? "Aria does not track the base of the thumb (CMC); thumb base and palm skipped"

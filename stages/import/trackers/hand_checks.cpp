@@ -10,6 +10,7 @@
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
+#include "stages/import/trackers/time_unit.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -96,25 +97,22 @@ void report_unseen(std::string_view side, const Array2D<Vec3>& joint,
 }
 
 void report_rate(const std::vector<double>& time, std::vector<std::string>& reports) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
-  if (steps.empty()) return;
-  const double step_s = math::median(steps);
+  const double step_s = median_step(time);
   if (step_s > kMaxFramePeriod_s)
     add_note(reports, "only {:.3g} rows per second: too few to follow a reach", 1 / step_s);
 }
 
 }  // namespace
 
-void check_hands(const std::string& file, const HandClip& clip, bool size_is_checked,
+void check_hands(const std::string& file, const HandClip& clip, bool is_checked,
                  std::vector<std::string>& reports) {
   for (const Side side : {Side::right, Side::left}) {
     const std::optional<Array2D<Vec3>> joint = merged_hand_joints(clip, side);
     if (!joint) continue;
     const std::string_view name = name_of(side);
     report_unseen(name, *joint, reports);
-    if (size_is_checked && clip.hands[side_index(side)]) check_size(file, name, *joint);
-    check_side(file, side, *joint);
+    if (is_checked && clip.hands[side_index(side)]) check_size(file, name, *joint);
+    if (is_checked) check_side(file, side, *joint);
     const double variation = bone_length_variation(*joint);
     if (variation > kMaxBoneVariationRatio) {
       add_note(reports,

@@ -8,6 +8,7 @@
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_checks.hpp"
+#include "stages/import/trackers/unseen_hands.hpp"
 #include "stages/import/trackers/world_checks.hpp"
 
 namespace morphe::imports {
@@ -50,7 +51,7 @@ RecordedHand unseen_hand(std::size_t rows) {
 
 void add_time(double time_s, const std::string& file, std::size_t line, const std::string& key,
               std::vector<double>& time) {
-  if (!time.empty() && !(time_s > time.back())) {
+  if (!time.empty() && !(time_s >= time.back())) {
     throw InputError(
         fmt::format("{}:{}: {}: must be greater than in the previous row", file, line, key));
   }
@@ -59,6 +60,7 @@ void add_time(double time_s, const std::string& file, std::size_t line, const st
 
 void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstration& demonstration) {
   std::vector<std::string>& reports = demonstration.import_notes;
+  if (!clip.reconstructed) hide_unseen_points(clip, reports);
   drop_unseen_hands(clip, reports);
   if (!clip.hands[0] && !clip.hands[1] && clip.body.names.empty())
     throw InputError(fmt::format("{}: no hand is visible in any frame", files.file.string()));
@@ -70,6 +72,7 @@ void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstratio
 void add_shape(HandClip&& clip, const RecordingFiles& files, const std::string& why,
                Demonstration& demonstration) {
   std::vector<std::string>& reports = demonstration.import_notes;
+  hide_unseen_points(clip, reports);
   drop_unseen_hands(clip, reports);
   Side side = files.hand;
   if (!clip.hands[side_index(side)]) side = side == Side::right ? Side::left : Side::right;

@@ -36,7 +36,8 @@ RecordedHand unseen_hand(std::size_t rows);
 void add_time(double time_s, const std::string& file, std::size_t line, const std::string& key,
               std::vector<double>& time);
 
-/// Drops hands never seen, checks the clip and adds it. Throws InputError without hand and body.
+/// Hides points that mean an unseen hand (unseen_hands.hpp), drops hands never seen, checks the
+/// clip and adds it. Throws InputError without hand and body.
 void add_tracked_clip(HandClip&& clip, const RecordingFiles& files, Demonstration& demonstration);
 
 /// Checks a clip whose hands have no position in the world, and adds the keypoints of the requested

@@ -71,7 +71,7 @@ HandFrames read_hands(const fs::path& file, const UmetrackHand& model, const Tra
     const JsonNode stamp = line.at("timestamp_ns");
     if (!stamp.value->is_number_integer()) stamp.fail("must be a whole number");
     const auto now = stamp.value->get<std::int64_t>();
-    if (!stamps.empty() && now <= stamps.back())
+    if (!stamps.empty() && now < stamps.back())
       stamp.fail("must be greater than in the previous line");
     if (!stamps.empty() && now - stamps.back() < kSameFrame_ns) {
       ++frames.duplicate_count;

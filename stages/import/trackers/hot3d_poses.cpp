@@ -20,7 +20,7 @@ std::map<std::string, TimedPoses> read_hot3d_poses(const std::filesystem::path& 
     const auto time_ns = whole_number(row[stamp]);
     if (!time_ns) csv.fail(line, "timestamp[ns]", "must be a whole number");
     TimedPoses& body = bodies[std::string(row[uid])];
-    if (!body.time_ns.empty() && *time_ns <= body.time_ns.back())
+    if (!body.time_ns.empty() && *time_ns < body.time_ns.back())
       csv.fail(line, "timestamp[ns]", "must be greater than in the previous row of this object");
     double v[7];
     for (int k = 0; k < 7; ++k) v[k] = columns.number(line, row, numbers[k]);

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/files/table_text.hpp"
 #include "stages/import/recording/named_columns.hpp"
+#include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -52,15 +54,15 @@ Side side_of(const RecordingFiles& files, const RecordedHand& hand,
 }  // namespace
 
 bool recognises_manus_csv(std::string_view head) {
-  const std::string_view line = head.substr(0, head.find_first_of("\r\n"));
-  return line.find(kTimeColumn) != std::string_view::npos &&
-         line.find("Thumb_CMC_Position_X") != std::string_view::npos;
+  const std::string line = files::first_line_with_commas(head);
+  return line.find(kTimeColumn) != std::string::npos &&
+         line.find("Thumb_CMC_Position_X") != std::string::npos;
 }
 
 Demonstration read_manus_csv(const RecordingFiles& files) {
-  const files::CsvText csv = files::read_csv(files.file);
+  const files::CsvText csv = files::read_table(files.file);
   if (csv.lines.empty()) csv.fail(1, "", "the file is empty");
-  const NamedColumns columns(csv, 1);
+  const NamedColumns columns(csv, csv.filled_line(1));
   const std::size_t time_column = columns.at(kTimeColumn);
   std::vector<std::vector<std::size_t>> points;
   for (const std::string& node : node_names()) {
@@ -79,11 +81,13 @@ Demonstration read_manus_csv(const RecordingFiles& files) {
     const auto row = columns.cells(line);
     add_time(columns.number(line, row, time_column) / 1e3, csv.file, line, kTimeColumn, clip.time);
     for (int k = 0; k < kKeypointCount; ++k) {
-      hand.keypoints(line - columns.first_row(), k) = frame.point(
-          {columns.number(line, row, points[k][0]), columns.number(line, row, points[k][1]),
-           columns.number(line, row, points[k][2])});
+      hand.keypoints(line - columns.first_row(), k) =
+          frame.point({columns.number_or_unknown(line, row, points[k][0]),
+                       columns.number_or_unknown(line, row, points[k][1]),
+                       columns.number_or_unknown(line, row, points[k][2])});
     }
   }
+  hide_fillers(frame.unit_m, hand.keypoints, reports);
   const Side side = side_of(files, hand, reports);
   clip.hands[side_index(side)] = std::move(hand);
   add_shape(std::move(clip), files, "the glove was not tracked", demonstration);

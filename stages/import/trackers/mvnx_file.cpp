@@ -147,7 +147,7 @@ MvnxFile read_mvnx_file(const std::filesystem::path& path, double rate_hz) {
                                                              : static_cast<double>(row);
     if (row == 0) {
       first_index = index;
-    } else if (!(index > last_index)) {
+    } else if (!(index >= last_index)) {
       xml.fail(frame, "frame.index", "must be greater than in the previous frame");
     }
     last_index = index;

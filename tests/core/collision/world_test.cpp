@@ -41,11 +41,13 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
   const Scene scene = random_scene(random);
   CollisionWorld world = make_world(robot, scene, grasping(), {});
   EXPECT_EQ(world.target, 4);
-  EXPECT_EQ(world.touch_begin_s, 0.2);
-  EXPECT_EQ(world.touch_end_s, 0.7);
+  EXPECT_NEAR(world.touch_begin_s, 0.2, 1.1e-9);
+  EXPECT_NEAR(world.touch_end_s, 0.7, 1.1e-9);
   EXPECT_TRUE(may_touch(world, 5, 4, 0.2));
   EXPECT_TRUE(may_touch(world, 5, 4, 0.7));
   EXPECT_FALSE(may_touch(world, 5, 4, 0.71));
+  EXPECT_TRUE(may_touch(world, 5, 4, std::nextafter(0.2, 0))) << "rounding, as verify takes it";
+  EXPECT_TRUE(may_touch(world, 5, 4, std::nextafter(0.7, 1)));
   EXPECT_FALSE(may_touch(world, 5, 3, 0.5));
   EXPECT_FALSE(may_touch(world, 4, 4, 0.5));
   EXPECT_EQ(required_distance_m(world, 5, 4, 0.5), -world.tolerances.max_penetration);
@@ -53,7 +55,7 @@ TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
 
   Movement movement = grasping();
   movement.phases.erase(movement.phases.begin() + 1);
-  EXPECT_EQ(make_world(robot, scene, movement, {}).touch_begin_s, 0.4);
+  EXPECT_NEAR(make_world(robot, scene, movement, {}).touch_begin_s, 0.4, 1.1e-9);
   movement.phases = {{PhaseKind::reach, 0, 1, 1}};
   world = make_world(robot, scene, movement, {});
   EXPECT_FALSE(may_touch(world, 5, 4, 0.5));

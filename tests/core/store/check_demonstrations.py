@@ -4,10 +4,10 @@ import sys
 import h5py
 import numpy as np
 
-from contract import attributes, shapes, text
+from contract import attributes, flags, shapes, text
 
 with h5py.File(sys.argv[1]) as file:
-    assert text(file.attrs["format"]) == "morphe-demonstrations" and file.attrs["version"] == 2
+    assert text(file.attrs["format"]) == "morphe-demonstrations" and file.attrs["version"] == 3
     assert list(file["demonstrations"]) == ["zz", "aa"]  # the order of creation
     demo = file["demonstrations/zz"]
     attributes(demo, ["subject", "task", "hand", "source", "licence", "upper_arm", "forearm",
@@ -38,6 +38,7 @@ with h5py.File(sys.argv[1]) as file:
                               "orientation": ((k + 1, 4), "f", "1", "world")}.items()},
         "objects/apple/vertices": ((4, 3), "f", "m", "object"),
         "objects/apple/triangles": ((2, 3), "i", "1", None),
+        **flags(3), "accepted_flags/code": ((2,), "S", "", None),
         "labels/begin_s": ((2,), "f", "s", None),
         "labels/end_s": ((2,), "f", "s", None),
         "labels/phase": ((2,), "S", "", None),
@@ -45,6 +46,10 @@ with h5py.File(sys.argv[1]) as file:
     assert text(demo["markers"].attrs["names"]) == ["RSHO1", "RÜAR", "m 3"]
     assert text(demo["skeleton"].attrs["parents"]) == ["", "hips"]
     assert text(demo["hand"].attrs["kind"]) == "glove" and len(demo["hand"].attrs["sensors"]) == 22
+    assert list(demo["flags/code"].asstr()) == ["spike", "mirrored", "no_grasp"]
+    assert list(demo["flags/response"].asstr()) == ["mended", "flagged", "accepted"]
+    assert demo["flags/value"][0] == 20 and np.isnan(demo["flags/begin_s"][1])
+    assert list(demo["accepted_flags/code"].asstr()) == ["jitter", "no_grasp"]
     assert list(demo["labels/phase"].asstr()) == ["reach", "grasp"]
     assert [text(demo["objects"][name].attrs["shape"]) for name in demo["objects"]] == \
         ["sphere", "box", "cylinder", "capsule", "mesh"]

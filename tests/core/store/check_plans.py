@@ -4,7 +4,7 @@ import sys
 import h5py
 import numpy as np
 
-from contract import attributes, shapes, text
+from contract import attributes, flags, shapes, text
 
 PHASES = "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return"
 ORIGINS = "0=mapped,1=re_solved,2=planned"
@@ -68,7 +68,7 @@ def rows(phases, findings, waypoints, joints, estimated):
 
 PLAN_ATTRIBUTES = ["status", "reason", "detail", "subject", "task", "hand", "begin_s", "end_s",
                    "target", "required_clearance", "max_penetration", "tracking_tolerance_grasp", "tracking_tolerance",
-                   "max_unreachable_share", "max_tip_error"]
+                   "max_unreachable_share", "max_tip_error", "max_missing_goal_share", "max_goal_gap_s"]
 QUALITY = ["friction_coefficient", "torsional_friction", "mass", "centre_of_mass", "characteristic_length",
            "epsilon_lower", "epsilon_upper", "required_force_worst", "required_force_gravity", "available_force"]
 CERTIFICATE = ["joint_limit_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
@@ -80,7 +80,7 @@ CERTIFICATE = ["joint_limit_margin", "velocity_ratio", "acceleration_ratio", "je
 with h5py.File(sys.argv[1]) as file:
     attributes(file, ["format", "version", "config", "config_sha256", "dataset_sha256", "software", "built_with",
                       "robot"])
-    assert text(file.attrs["format"]) == "morphe-plans" and file.attrs["version"] == 2
+    assert text(file.attrs["format"]) == "morphe-plans" and file.attrs["version"] == 3
     assert text(file.attrs["config"]) == "seed: 7\n" + "#" * 100000 + "\n"
     assert file["inputs/../robots/dlr.yaml"].asstr()[()] == "name: dlr_hit2 °\n"
 
@@ -139,7 +139,7 @@ with h5py.File(sys.argv[1]) as file:
     shapes(full, {
         **frames(4, 2, 3), **rows(2, 2, 5, 3, 2), **trajectory("trajectory", 6),
         **trajectory("approach", 2), **trajectory("retreat", 3),
-        **repair(2), **findings_of("remaining_findings", 1),
+        **flags(3), **repair(2), **findings_of("remaining_findings", 1),
         **{f"scene/{name}/{data}": what for k, name in enumerate(scene)
            for data, what in {"time": ((k + 1,), "f", "s", None),
                               "position": ((k + 1, 3), "f", "m", "base"),
@@ -167,7 +167,7 @@ with h5py.File(sys.argv[1]) as file:
     attributes(full["grasp/quality"], QUALITY)
     assert text(full.attrs["status"]) == "executable" and text(full.attrs["reason"]) == ""
     assert (full.attrs["begin_s"], full.attrs["end_s"], text(full.attrs["target"])) == (0.5, 2.75, "cup")
-    assert [full.attrs[name] for name in PLAN_ATTRIBUTES[-6:]] == [0.002, 0.004, 0.006, 0.03, 0.25, 0.04]
+    assert [full.attrs[name] for name in PLAN_ATTRIBUTES[9:15]] == [0.002, 0.004, 0.006, 0.03, 0.25, 0.04]
     assert full["grasp"].attrs["sample"] == 2
     assert full["certificate"].attrs["repaired"] == 1
     assert np.isnan(full["certificate"].attrs["tip_orientation_error_max"])

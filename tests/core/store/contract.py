@@ -26,3 +26,10 @@ def shapes(group, expected):
 
 def attributes(group, names):
     assert set(group.attrs) == set(names), (group.name, sorted(set(group.attrs) ^ set(names)))
+
+
+def flags(count):
+    """flags/ of a demonstration or a plan."""
+    return {**{f"flags/{name}": ((count,), "S", "", None) for name in ("code", "response", "subject", "unit", "text")},
+            **{f"flags/{name}": ((count,), "f", "s", None) for name in ("begin_s", "end_s")},
+            **{f"flags/{name}": ((count,), "f", "unit of the row", None) for name in ("value", "limit")}}

@@ -35,8 +35,8 @@ def set_item(file, name, index, value):
 
 
 DAMAGES = {
-    "version": lambda f: f.attrs.modify("version", 3),
-    "older_version": lambda f: f.attrs.modify("version", 1),
+    "version": lambda f: f.attrs.modify("version", 4),
+    "older_version": lambda f: f.attrs.modify("version", 2),
     "format": lambda f: f.attrs.create("format", "morphe-demonstrations"),
     "no_format": lambda f: f.attrs.pop("format"),
     "version_text": lambda f: f.attrs.create("version", "one"),

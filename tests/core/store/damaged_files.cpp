@@ -62,9 +62,11 @@ TEST(DamagedFiles, EachIsRefusedWithItsPlace) {
   ASSERT_EQ(run_python("damage.py", file.string() + " " + folder.string()), 0);
   const std::string plan = "/plans/zz/000/";
   const std::vector<std::pair<std::string, std::string>> expected{
-      {"version", "/: @version is 3; this program reads only version 2"},
-      {"older_version", "/: @version is 1; this program reads only version 2"},
-      {"format", "/: is 'morphe-demonstrations', not 'morphe-plans'"},
+      {"version", "/: @version is 4; this program reads only version 3"},
+      {"older_version", "/: @version is 2; this program reads only version 3"},
+      {"format",
+       "/: is 'morphe-demonstrations', not 'morphe-plans': it has recordings, already "
+       "imported; give the plans.h5 of a run"},
       {"no_format", "/: @format is missing; must be morphe-plans"},
       {"version_text", "/@version: is missing or not a single integer"},
       {"no_robot", "/robot: is missing"},
@@ -112,8 +114,10 @@ TEST(DamagedFiles, EachIsRefusedWithItsPlace) {
 TEST(DamagedFiles, DemonstrationsOfAnotherVersionOrFormat) {
   const auto plans = sample_plans();
   EXPECT_EQ(input_error([&] { DemonstrationReader reader(plans); }),
-            plans.string() + ":/: is 'morphe-plans', not 'morphe-demonstrations'");
-  for (const int version : {1, 3}) {
+            plans.string() +
+                ":/: is 'morphe-plans', not 'morphe-demonstrations': it is a plans.h5, the "
+                "result of a run; give the recording or its demonstrations.h5");
+  for (const int version : {2, 4}) {
     const auto file = fresh_file("demonstrations.h5");
     {
       Hdf5File out = Hdf5File::create(file);
@@ -121,7 +125,7 @@ TEST(DamagedFiles, DemonstrationsOfAnotherVersionOrFormat) {
       out.close();
     }
     EXPECT_EQ(input_error([&] { DemonstrationReader reader(file); }),
-              fmt::format("{}:/: @version is {}; this program reads only version 2", file.string(),
+              fmt::format("{}:/: @version is {}; this program reads only version 3", file.string(),
                           version));
   }
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include "same_flags.hpp"
 #include "same_scene.hpp"
 #include "sample_data.hpp"
 
@@ -57,6 +58,11 @@ void expect_same(const Demonstration& a, const Demonstration& b) {
   expect_same(a.streams, b.streams);
   expect_same(a.calibration, b.calibration);
   store::expect_same(a.objects, b.objects);
+  store::expect_same(a.flags, b.flags);
+  ASSERT_EQ(a.accepted_flags.size(), b.accepted_flags.size());
+  for (std::size_t i = 0; i < a.accepted_flags.size(); ++i) {
+    EXPECT_SAME(accepted_flags[i].code);
+  }
   ASSERT_EQ(a.labels.size(), b.labels.size());
   for (std::size_t i = 0; i < a.labels.size(); ++i) {
     EXPECT_SAME(labels[i].begin_s);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "same_flags.hpp"
 #include "same_scene.hpp"
 #include "sample_data.hpp"
 
@@ -177,6 +178,8 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(tolerances.tracking_tolerance);
   EXPECT_SAME(tolerances.max_unreachable_share);
   EXPECT_SAME(tolerances.max_tip_error);
+  EXPECT_SAME(tolerances.max_missing_goal_share);
+  EXPECT_SAME(tolerances.max_goal_gap_s);
   EXPECT_SAME(approximate);
   expect_same(a.goals, b.goals);
   store::expect_same(a.scene.objects, b.scene.objects);
@@ -192,6 +195,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(mapped.status);
   EXPECT_SAME(mapped.natural_posture_error);
   EXPECT_SAME(repaired);
+  store::expect_same(a.flags, b.flags);
   expect_same(a.findings, b.findings);
   expect_same(a.remaining_findings, b.remaining_findings);
   expect_same(a.repair, b.repair);

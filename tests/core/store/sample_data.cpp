@@ -138,6 +138,14 @@ Trajectory trajectory(Numbers& number, std::size_t samples) {
   return t;
 }
 
+/// Flags with and without an interval, one for each response.
+std::vector<RecordingFlag> flags() {
+  return {{FlagCode::spike, FlagResponse::mended, 1.42, 1.43, "RFTP", 20, 5, "m/s", "RFTP jumps"},
+          {FlagCode::mirrored, FlagResponse::flagged, kUnknown, kUnknown, "", kUnknown, kUnknown,
+           "", "the thumb is on the wrong side"},
+          {FlagCode::no_grasp, FlagResponse::accepted, 0.5, 2.75, "", 0, 1, "1", "no grasp"}};
+}
+
 }  // namespace
 
 Demonstration full_demonstration(const std::string& name) {
@@ -157,6 +165,8 @@ Demonstration full_demonstration(const std::string& name) {
   demo.streams.sensors->orientation(0, 0) = Quat(0.1, 0.7, -0.7, 0.1);
   demo.calibration = full_streams(number, HandKind::keypoints);
   demo.objects = objects();
+  demo.flags = flags();
+  demo.accepted_flags = {{FlagCode::jitter}, {FlagCode::no_grasp}};
   demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kUnknown, PhaseKind::grasp}};
   return demo;
 }
@@ -241,6 +251,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.humanlikeness = number.rows(4, 3);
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
+  plan.flags = flags();
   plan.findings = {{0.6, 0.7, Cause::object_collision, "finger", "table", 0.01},
                    {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02, FindingUnit::radian, 1.5}};
   plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},

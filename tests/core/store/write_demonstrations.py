@@ -6,7 +6,7 @@ import numpy as np
 
 with h5py.File(sys.argv[1], "w") as file:
     file.attrs["format"] = "morphe-demonstrations"
-    file.attrs["version"] = 2
+    file.attrs["version"] = 3
     for name in ("b", "a"):
         demo = file.create_group("demonstrations/" + name)
         demo.attrs["subject"] = np.bytes_("S 1")  # of fixed length

@@ -54,6 +54,23 @@ TEST(PlanMovement, WhatTheRobotCanDoIsPlannedAndMet) {
   }
 }
 
+TEST(PlanMovement, RefusesADoubtfulRecordingUnlessItIsAccepted) {
+  test::RobotDemonstration of;
+  of.config.audit.refuse = {FlagCode::spike};
+  Demonstration demonstration;
+  demonstration.name = "robot";
+  demonstration.flags = {{FlagCode::spike, FlagResponse::flagged, 0.5, 0.5, "RFTP", 20, 5, "m/s",
+                          "RFTP moves at 20 m/s for one frame"}};
+  Plan plan = plan_movement(of.planner(), demonstration, of.motion, of.movement);
+  EXPECT_EQ(plan.reason, Reason::doubtful_recording);
+  EXPECT_EQ(plan.detail, "RFTP moves at 20 m/s for one frame");
+  ASSERT_EQ(plan.flags.size(), 1u);
+  demonstration.flags[0].response = FlagResponse::accepted;
+  plan = plan_movement(of.planner(), demonstration, of.motion, of.movement);
+  EXPECT_EQ(plan.reason, Reason::none) << plan.detail;
+  EXPECT_EQ(plan.flags.size(), 1u) << "the plan says what was accepted";
+}
+
 TEST(PlanMovement, AGraspInsideAnObstacleIsRefusedWithItsTime) {
   test::RobotDemonstration of;
   of.config.scene.objects = {ball_at_the_end(of, 0.05)};

@@ -300,6 +300,14 @@ TEST(Synthesize, KindsWithoutWeightNeverCome) {
   }
 }
 
+TEST(Synthesize, TheTaskIsThatOfItsMovements) {
+  SynthesizeOptions options;
+  options.movements.kinds = {0, 0, 0, 0, 0, 0, 1};
+  for (const Demonstration& truth : truths(options, 3)) EXPECT_EQ(truth.task, "reach");
+  options.movements.kinds = {1, 1, 1, 1, 1, 1, 0};
+  for (const Demonstration& truth : truths(options, 3)) EXPECT_EQ(truth.task, "reach to grasp");
+}
+
 TEST(Synthesize, PeopleAreAsTallAsAsked) {
   SynthesizeOptions options;
   options.subject.male_share = 0;

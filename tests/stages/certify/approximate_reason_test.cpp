@@ -27,24 +27,45 @@ Certificate off_by(double error_m) {
 
 TEST(OnlyNear, ByTheShareOfSeenGoalsThatAreOutOfReach) {
   const Tolerances half;
-  EXPECT_EQ(approximate_reason(goals_with(5), half, off_by(0.004)), "");
+  EXPECT_EQ(approximate_reason(goals_with(5), {}, half, off_by(0.004)), "");
   EXPECT_THAT(
-      approximate_reason(goals_with(6), half, off_by(0.004)),
+      approximate_reason(goals_with(6), {}, half, off_by(0.004)),
       testing::StartsWith("approximate: 6 of 10 fingertip goals are out of reach (allowed: 50 %)"));
   Tolerances nearly_all;
   nearly_all.max_unreachable_share = 0.99;
-  EXPECT_EQ(approximate_reason(goals_with(9), nearly_all, off_by(0.004)), "");
-  EXPECT_NE(approximate_reason(goals_with(10), nearly_all, off_by(0.004)), "");
+  EXPECT_EQ(approximate_reason(goals_with(9), {}, nearly_all, off_by(0.004)), "");
+  EXPECT_NE(approximate_reason(goals_with(10), {}, nearly_all, off_by(0.004)), "");
 }
 
 TEST(OnlyNear, ByTheFarthestTipWhateverTrackingAllows) {
   Tolerances wide;
   wide.tracking_tolerance = wide.tracking_tolerance_grasp = 10;
-  EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(0.05)), "");
-  EXPECT_THAT(approximate_reason(goals_with(0), wide, off_by(0.0512)),
+  EXPECT_EQ(approximate_reason(goals_with(0), {}, wide, off_by(0.05)), "");
+  EXPECT_THAT(approximate_reason(goals_with(0), {}, wide, off_by(0.0512)),
               testing::HasSubstr("up to 51.2 mm from their goals (allowed: 50.0 mm)"));
-  EXPECT_EQ(approximate_reason(goals_with(0), wide, off_by(kUnknown)), "")
+  EXPECT_EQ(approximate_reason(goals_with(0), {}, wide, off_by(kUnknown)), "")
       << "no goal, no distance";
+}
+
+TEST(OnlyNear, ByTheLongestTimeWithoutAGoal) {
+  Tolerances tolerances;
+  tolerances.max_goal_gap_s = 0.035;
+  Goals goals = goals_with(0);
+  for (const std::size_t f : {4U, 5U}) goals.tip_position(f, 0) = unknown_point();
+  EXPECT_EQ(approximate_reason(goals, {}, tolerances, off_by(0.004)), "") << "0.03 s";
+  goals.tip_position(6, 0) = unknown_point();
+  EXPECT_EQ(approximate_reason(goals, {}, tolerances, off_by(0.004)),
+            "approximate: there is no fingertip goal for 0.04 s, 0.03–0.07 s (allowed: 0.04 s)");
+}
+
+TEST(OnlyNear, ByTheShareOfMissingGoalsInAPhase) {
+  Goals goals = goals_with(0);
+  for (const std::size_t f : {5U, 6U, 8U}) goals.tip_position(f, 0) = unknown_point();
+  Movement movement;
+  movement.phases = {{PhaseKind::reach, 0, 0.045}, {PhaseKind::grasp, 0.045, 0.09}};
+  EXPECT_EQ(approximate_reason(goals, movement, {}, off_by(0.004)),
+            "approximate: 60 % of the fingertip goals of phase grasp are missing (allowed: 50 %)");
+  EXPECT_EQ(approximate_reason(goals, {}, {}, off_by(0.004)), "") << "three of ten in all";
 }
 
 }  // namespace

@@ -124,6 +124,9 @@ TEST(Certify, AMissByAHairIsProvedFree) {
   const Outcome<Certificate> result = c.run();
   EXPECT_EQ(result.failure.reason, Reason::none);
   EXPECT_NEAR(result.value.clearance, 0.0012, 1e-5);
+  // By less than the first resolution of the check, but more than the second.
+  c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.06105), 0.03)};
+  EXPECT_EQ(c.run().failure.reason, Reason::none);
   c.scene.objects = {ball(turned(0.25, 0.5, 0) + Vec3(0, 0, 0.0608), 0.03)};
   EXPECT_EQ(c.run().failure.reason, Reason::smoothing_collision);
 }

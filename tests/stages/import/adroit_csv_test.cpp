@@ -180,7 +180,7 @@ TEST(AdroitCsv, ReadsBackASyntheticPose) {
   without.replace(without.find("THJ0"), 4, "THJ9");
   EXPECT_EQ(error_of(without + "\n" + row + "\n"), ":1: THJ0: the column is missing");
   EXPECT_EQ(error_of(header + "\n" + row + ",1\n"), ":2: the row has 37 cells, the header has 36");
-  EXPECT_EQ(error_of(header + "\n" + row + "\n" + row + "\n"),
+  EXPECT_EQ(error_of(header + "\n" + row + "\n-" + row + "\n"),
             ":3: t_s: must be greater than in the previous row");
   std::filesystem::remove(file);
 }

@@ -79,7 +79,7 @@ TEST_F(AvpJsonl, TheWristCarriesTheFingers) {
 TEST_F(AvpJsonl, ErrorsSayWhere) {
   const std::string good = line(0.5, ", \"rightHand\": " + hand({0.2, 1.0, -0.4}));
   const auto error = [&](const std::string& text) { return error_of(tracking(text)); };
-  EXPECT_EQ(error(good + good),
+  EXPECT_EQ(error(good + line(0.4, ", \"rightHand\": " + hand({0.2, 1.0, -0.4}))),
             "tracking.jsonl:2: timestamp: must be greater than in the previous row");
   std::string text = good;
   text.replace(text.find("[1,0,0,0"), 8, "[2,0,0,0");

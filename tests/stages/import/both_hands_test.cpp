@@ -67,7 +67,10 @@ TEST(BothHands, AreADemonstrationEach) {
 TEST(BothHands, OfARecordingOfOneHandAreAnErrorButInAFolderThatHand) {
   const fs::path door = kAllShipped / "adroit-dapg/door_demo_06.csv";
   try {
-    read(both(door));
+    ImportRequest request;
+    request.paths = {door};
+    request.hand = HandSelection::both;
+    read(request);
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), HasSubstr("hand: is both, but no point name belongs to the right"));

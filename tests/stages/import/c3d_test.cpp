@@ -159,7 +159,8 @@ TEST_F(C3d, UnitIsTheFilesOrAskedFor) {
   const Demonstration d = read(write(c3d), {"x y z", "mm", {}});
   EXPECT_THAT(d.import_notes, ElementsAre("unit m in the file; the given mm is used"));
   c3d.units = "ell";
-  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("trial.c3d: unit: must be m, cm, mm, in, ft"));
+  EXPECT_THAT(error_of(write(c3d), kC3d),
+              HasSubstr("trial.c3d: unit: 'ell' in the file is unknown"));
 }
 
 TEST_F(C3d, LiesAreErrorsOrReported) {
@@ -177,8 +178,8 @@ TEST_F(C3d, LiesAreErrorsOrReported) {
   EXPECT_THAT(error_of(with(0, 0x507f), kC3d), HasSubstr("byte 64512: the parameter section"));
   EXPECT_THAT(error_of(with(514, 80 * 256), kC3d), HasSubstr("byte 515: processor 80 is unknown"));
   const std::size_t frames = value_of("FRAMES", 4);
-  EXPECT_EQ(error_of(with(frames, 4), kC3d),
-            "trial.c3d: POINT:FRAMES: 4 frames are stated from byte 1536 on, but the file has 3");
+  EXPECT_EQ(error_of(with(frames, 5), kC3d),
+            "trial.c3d: POINT:FRAMES: 5 frames are stated from byte 1536 on, but the file has 3");
   EXPECT_THAT(error_of(with(frames, 0), kC3d), HasSubstr("POINT:FRAMES: 0 frames"));
   EXPECT_THAT(read(with(frames, 2), kC3d).import_notes,
               ElementsAre("the header states 3 frames; 2 were read"));
@@ -187,14 +188,12 @@ TEST_F(C3d, LiesAreErrorsOrReported) {
               HasSubstr("parameter LABELS overlaps the next one"));
 }
 
-TEST_F(C3d, LabelsThatLackOrRepeat) {
+TEST_F(C3d, LabelsThatLack) {
   C3dText c3d = three_frames();
   c3d.labels = {"A"};
   const Demonstration d = read(write(c3d), kC3d);
   EXPECT_THAT(d.streams.markers->names, ElementsAre("A", "*2"));
   EXPECT_THAT(d.import_notes, ElementsAre("points without a name: 1"));
-  c3d.labels = {"A", "A"};
-  EXPECT_EQ(error_of(write(c3d), kC3d), "trial.c3d: POINT:LABELS: 'A' appears twice");
 }
 
 TEST_F(C3d, PointsThatAreNoPointsWereNotSeen) {
@@ -245,6 +244,49 @@ TEST_F(C3d, DamageIsNeverACrash) {
   }
   EXPECT_GT(refused, 50);
   EXPECT_GT(read_anyway, 50);
+}
+
+TEST_F(C3d, QuantitiesThatAreNoPlacesAreLeftOut) {
+  C3dText c3d = three_frames();
+  c3d.labels = {"S:RWRA", "S:RWristAngles", "S:RElbowMoment"};
+  for (auto& frame : c3d.frames) frame.push_back({170, -20, 30});
+  c3d.angles = {"RWristAngles"};  // listed without the subject
+  c3d.moments2 = {"S:RElbowMoment"};
+  const Demonstration d = read(write(c3d), kC3d);
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("S:RWRA"));
+  EXPECT_LT((d.streams.markers->position(2, 0) - Vec3(0.110, -0.0305, 0.005)).norm(), 1e-12);
+  EXPECT_THAT(d.import_notes,
+              testing::Contains("points skipped, no places according to POINT:ANGLES, "
+                                "POINT:MOMENTS: S:RWristAngles, S:RElbowMoment"));
+  c3d.angles = {"S:RWRA", "RWristAngles"};
+  EXPECT_THAT(error_of(write(c3d), kC3d), HasSubstr("no point is a place"));
+}
+
+TEST_F(C3d, ALabelThatStandsTwiceIsNumbered) {
+  C3dText c3d = three_frames();
+  c3d.labels = {"RTHI", "RTHI"};
+  const Demonstration d = read(write(c3d), kC3d);
+  EXPECT_THAT(d.streams.markers->names, ElementsAre("RTHI", "RTHI_2"));
+  EXPECT_THAT(d.import_notes,
+              testing::Contains("the name RTHI stands more than once; another is called RTHI_2"));
+}
+
+TEST_F(C3d, ParametersEndWithTheirSection) {
+  for (const int processor : {84, 85, 86}) {
+    C3dText c3d = three_frames();
+    c3d.processor = processor;
+    c3d.last_pointer_leaves_section = true;
+    EXPECT_EQ(read(write(c3d), kC3d).streams.markers->time.size(), 3u) << processor;
+  }
+}
+
+TEST_F(C3d, AFrameTooManyIsNotMissed) {
+  C3dText c3d = three_frames();
+  c3d.extra_frames = 1;
+  const Demonstration d = read(write(c3d), kC3d);
+  EXPECT_EQ(d.streams.markers->time.size(), 3u);
+  EXPECT_THAT(d.import_notes,
+              testing::Contains("4 frames are stated, the file has 3; these were read"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -21,13 +22,17 @@ struct C3dText {
   int first = 1;
   double rate_hz = 100;
   std::string x_screen, y_screen;
+  std::vector<std::string> angles, moments2;  ///< POINT:ANGLES and POINT:MOMENTS2
+  std::size_t extra_frames = 0;               ///< stated, but not in the file
+  bool last_pointer_leaves_section = false;
   bool trial_fields = false;
 
   static constexpr std::size_t kDataBlock = 4;
 
   std::string text() const {
     const std::size_t points = frames.at(0).size();
-    const std::size_t last = static_cast<std::size_t>(first) + frames.size() - 1;
+    const std::size_t stated = frames.size() + extra_frames;
+    const std::size_t last = static_cast<std::size_t>(first) + stated - 1;
     std::string out("\x02\x50", 2);
     for (const std::size_t value : {points, static_cast<std::size_t>(analog),
                                     static_cast<std::size_t>(first), last, std::size_t{0}})
@@ -38,16 +43,22 @@ struct C3dText {
     out += std::string("\x01\x50\x02", 3) + static_cast<char>(processor);
     out += group(1, "POINT") + group(2, "ANALOG") + group(3, "TRIAL");
     out += words(1, "USED", {points}) + reals(1, "RATE", rate_hz) + reals(1, "SCALE", scale);
-    out += words(1, "FRAMES", {frames.size() & 0xffff}) + words(1, "DATA_START", {kDataBlock});
+    out += words(1, "FRAMES", {stated & 0xffff}) + words(1, "DATA_START", {kDataBlock});
     out += texts(1, "LABELS", labels) + texts(1, "UNITS", {units});
     if (!x_screen.empty()) out += texts(1, "X_SCREEN", {x_screen});
     if (!y_screen.empty()) out += texts(1, "Y_SCREEN", {y_screen});
+    if (!angles.empty()) out += texts(1, "ANGLES", angles);
+    if (!moments2.empty()) out += texts(1, "MOMENTS", {}) + texts(1, "MOMENTS2", moments2);
     const auto channels = static_cast<std::size_t>(analog / std::max(1, analog_per_frame));
     out += words(2, "USED", {channels});
     if (trial_fields) {
       const auto begin = static_cast<std::size_t>(first);
       out += words(3, "ACTUAL_START_FIELD", {begin & 0xffff, begin >> 16});
       out += words(3, "ACTUAL_END_FIELD", {last & 0xffff, last >> 16});
+    }
+    if (last_pointer_leaves_section) {
+      const std::string name = "LAST";
+      out += id(4) + id(1) + name + word(2000) + id(2) + id(0) + word(7) + id(0);
     }
     out.resize(512 * (kDataBlock - 1), '\0');
     for (const auto& frame : frames) {
@@ -102,13 +113,15 @@ struct C3dText {
   }
   std::string texts(int number, const std::string& name,
                     const std::vector<std::string>& values) const {
-    constexpr std::size_t kLength = 4;
+    std::size_t length = 4;
+    for (const std::string& value : values) length = std::max(length, value.size());
     std::string data;
     for (std::string value : values) {
-      value.resize(kLength, ' ');
+      value.resize(length, ' ');
       data += value;
     }
-    return record(number, name, -1, id(kLength) + id(static_cast<int>(values.size())), data);
+    return record(number, name, -1,
+                  id(static_cast<int>(length)) + id(static_cast<int>(values.size())), data);
   }
 };
 

@@ -217,15 +217,6 @@ TEST(Facing, AnObjectOfMarkersLiesTheSameHoweverTheRoomWasTurned) {
   EXPECT_LT(farthest(as_is.orientation, turned.orientation), 1e-7);
 }
 
-TEST(Facing, WhoHangsHeadDownIsSaid) {
-  Demonstration trial = shipped_recordings("ue-adl").at(0);
-  for (Vec3& point : trial.streams.markers->position.values) {
-    point = Vec3(point.x(), -point.y(), -point.z());
-  }
-  align_heading({"x y z", "", {}}, trial);
-  EXPECT_THAT(trial.import_notes, Contains(HasSubstr("-z' (")));
-}
-
 TEST(TurnDemonstration, TakesAllThatHasAPlaceWithIt) {
   Demonstration d = standing({{"A", {1, 0, 0.5}}});
   d.calibration = d.streams;

@@ -75,6 +75,23 @@ TEST(JointOrder, WhatWasAskedForComesFirst) {
                   "a.npz: mano_right_joints: has 21 joints, but the order openxr has 26")));
 }
 
+TEST(JointOrder, ThatOfTheFileIsComparedWithTheBones) {
+  for (const KeypointOrder& order : keypoint_orders()) {
+    EXPECT_EQ(joint_order_of(listed(order), std::string(order.name), {}, "a.npz", "j").joint,
+              order.joint);
+    for (const KeypointOrder& stated : keypoint_orders()) {
+      if (stated.joints != order.joints || stated.joint == order.joint) continue;
+      try {
+        joint_order_of(listed(order), std::string(stated.name), {}, "a.npz", "j");
+        ADD_FAILURE() << order.name << " as " << stated.name;
+      } catch (const UnresolvedConvention& asked) {
+        EXPECT_EQ(asked.key, "joint_order");
+        EXPECT_EQ(keypoint_order(asked.likely_value)->joint, order.joint);
+      }
+    }
+  }
+}
+
 TEST(JointOrder, NoHandIsAskedFor) {
   try {
     said_of(Array2D<Vec3>(2, 21, Vec3(0.1, 0, 0)), {});

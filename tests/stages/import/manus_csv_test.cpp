@@ -75,7 +75,7 @@ TEST_F(ManusCsv, ErrorsSayWhere) {
   lacking.replace(lacking.find("Index_PIP_Position_Y"), 9, "Index_IP_");
   EXPECT_EQ(error(lacking + row(0, 1)), "m_R.csv:1: Index_PIP_Position_Y: the column is missing");
   EXPECT_EQ(error(header()), "m_R.csv:1: the file ends before the first row");
-  EXPECT_EQ(error(header() + row(5, 1) + row(5, 1)),
+  EXPECT_EQ(error(header() + row(5, 1) + row(4, 1)),
             "m_R.csv:3: Elapsed_Time_In_Milliseconds: must be greater than in the previous row");
   EXPECT_EQ(error(header() + "1,2,3\n"), "m_R.csv:2: the row has 3 cells, the header has 104");
   EXPECT_THAT(error(header() + row(0, 3, 3)),

@@ -67,9 +67,9 @@ TEST_F(Mot, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_EQ(error(kHead), "a.mot:7: the file ends after its header");
   EXPECT_EQ(error(kHead + "time,a\n"), "a.mot:8: the file has no rows");
   EXPECT_EQ(error(kHead + "t,a\n0,1\n"), "a.mot:8: time: the first column must have this name");
-  EXPECT_EQ(error(kHead + "time,a,a\n0,1,2\n"), "a.mot:8: a: the column appears twice");
   EXPECT_EQ(error(kHead + "time,,a\n0,1,2\n"), "a.mot:8: column 2 has no name");
-  EXPECT_EQ(error(kHead + "time,a_tx\n0,1\n"), "a.mot:8: has no column of a joint angle");
+  EXPECT_EQ(error(kHead + "time,a_tx\n0,1\n"),
+            "a.mot:8: has no column of a joint angle, only translations");
   EXPECT_EQ(error(kHead + "time,a,b\n0,1\n"), "a.mot:9: b: the row has 2 cells, the header has 3");
   EXPECT_EQ(error(kHead + "time,a\n0,1,2\n"), "a.mot:9: the row has 3 cells, the header has 2");
   EXPECT_EQ(error(kHead + "time,a\n0,x\n"), "a.mot:9: a: must be a number, not 'x'");
@@ -82,6 +82,36 @@ TEST_F(Mot, BrokenFilesAreNamedWithTheirLine) {
   EXPECT_EQ(error("endheader\ntime,a\n0,1\n", {"", "deg", std::nullopt}), "no error");
   EXPECT_EQ(error("nRows=x\ninDegrees=no\nendheader\ntime,a\n0,1\n"),
             "a.mot:3: nRows: must be a number, not 'x'");
+}
+
+TEST_F(Mot, ColumnsOfOtherQuantitiesAreNoAngles) {
+  const Demonstration d = read(write(
+      kHead + "time,/jointset/elbow/elbow_flexion/value,/jointset/elbow/elbow_flexion/speed,"
+              "/forceset/BIClong/activation,BIClong.fiber_length,elbow_flexion_moment,wrist_rotY,"
+              "ground_force_vx,1_ground_torque_y,ground_force_px\n0,90,1,2,3,4,45,5,6,7\n",
+      "a.sto"));
+  EXPECT_THAT(d.streams.arm_angles->joints, ElementsAre("elbow_flexion", "wrist_rotY"));
+  EXPECT_NEAR(d.streams.arm_angles->angles(0, 1), M_PI / 4, 1e-15);
+  EXPECT_THAT(d.import_notes,
+              testing::IsSupersetOf(
+                  {"muscle states skipped: /forceset/BIClong/activation, BIClong.fiber_length",
+                   "speeds skipped: /jointset/elbow/elbow_flexion/speed",
+                   "forces and moments skipped: elbow_flexion_moment, ground_force_vx, "
+                   "1_ground_torque_y, ground_force_px"}));
+}
+
+TEST_F(Mot, FilesWithoutJointAnglesAreRefused) {
+  EXPECT_EQ(error_of(write(kHead + "time,ground_force_vx,ground_force_px\n0,1,2\n", "a.mot")),
+            "a.mot:8: has no column of a joint angle, only forces and moments");
+  for (const auto& [title, contents] :
+       {std::pair("Static Optimization", "muscle forces or activations"),
+        std::pair("Inverse Dynamics Generalized Forces", "forces and moments"),
+        std::pair("ModelControls", "muscle excitations"), std::pair("Speeds", "speeds")}) {
+    std::string text = kHead + "time,DELT1\n0,0.5\n";
+    text.replace(0, text.find('\n'), title);
+    EXPECT_EQ(error_of(write(text, "a.sto")),
+              fmt::format("a.sto:1: has {}, no joint angles", contents));
+  }
 }
 
 // The shipped trial; the numbers by Python's csv and math.radians.

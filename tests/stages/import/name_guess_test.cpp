@@ -17,7 +17,7 @@ Names points(const std::vector<std::string>& names, Side hand = Side::right) {
 }
 
 /// Each joint the child of the one before it, unless a name says "child<parent".
-Names joints(const std::vector<std::string>& chain) {
+Names joints(const std::vector<std::string>& chain, Side hand = Side::right) {
   std::vector<std::string> names, parents;
   for (const std::string& entry : chain) {
     const std::size_t sign = entry.find('<');
@@ -26,7 +26,7 @@ Names joints(const std::vector<std::string>& chain) {
                       : names.size() > 1        ? names[names.size() - 2]
                                                 : "");
   }
-  const GuessedNames guessed = guess_joints(names, parents);
+  const GuessedNames guessed = guess_joints(names, parents, hand);
   return {guessed.begin(), guessed.end()};
 }
 
@@ -155,6 +155,28 @@ TEST(NameGuess, FingersAreChainsWhateverTheirNumbers) {
   EXPECT_EQ(hand.at("r_pinky_1_end"), "right_little_tip");
 }
 
+TEST(NameGuess, AHandAloneHasNoElbow) {
+  EXPECT_EQ(joints({"Scene", "Armature", "RightHand", "RightHandIndex_end"}),
+            (Names{{"RightHand", "right_wrist"}, {"RightHandIndex_end", "right_index_tip"}}));
+  const Names hand =
+      joints({"scene", "hand", "index1", "index2", "index3", "index3_end"}, Side::left);
+  EXPECT_EQ(hand, (Names{{"hand", "left_wrist"},
+                         {"index1", "left_index_mcp"},
+                         {"index2", "left_index_pip"},
+                         {"index3", "left_index_dip"},
+                         {"index3_end", "left_index_tip"}}));
+}
+
+TEST(NameGuess, FingersSideBySideAreToldByTheirWords) {
+  const Names hand = joints({"rHand", "rindex_mcp<rHand", "rindex_mcp_end", "rindex_tip<rHand",
+                             "rindex_tip_end", "rthumb_tip<rHand", "rthumb_mcp<rHand"});
+  EXPECT_EQ(hand, (Names{{"rHand", "right_wrist"},
+                         {"rindex_mcp", "right_index_mcp"},
+                         {"rindex_tip", "right_index_tip"},
+                         {"rthumb_tip", "right_thumb_tip"},
+                         {"rthumb_mcp", "right_thumb_mcp"}}));
+}
+
 TEST(ArmNames, SayWhatTheyStandFor) {
   EXPECT_EQ(body_part("RUAR12"), "right upper arm");
   EXPECT_EQ(body_part("LFTP"), "left index tip");
@@ -162,6 +184,31 @@ TEST(ArmNames, SayWhatTheyStandFor) {
   for (const char* name : {"RSHO", "RUARx", "right_toe", "XUAR1", "", "R", "right_"}) {
     EXPECT_EQ(body_part(name), "") << name;
   }
+}
+
+TEST(NameGuess, LateralAndMedialAreToldByEachOther) {
+  EXPECT_EQ(
+      points({"gh", "EpL", "EpM", "us", "rs"}),
+      (Names{{"gh", "RGTH"}, {"EpL", "RLEP"}, {"EpM", "RMEP"}, {"us", "RSPU"}, {"rs", "RSPR"}}));
+}
+
+/// The labels of the Istituto Ortopedico Rizzoli: FAL is the lateral malleolus.
+TEST(NameGuess, AnkleIsNoForearm) {
+  const Names names = points(
+      {"R_FAL", "L_FAL", "R_TAM", "R_HLE", "R_HME", "R_RSP", "R_USP", "R_SAE", "L_SAE", "R_FLE"});
+  EXPECT_EQ(names, (Names{{"R_HLE", "RLEP"},
+                          {"R_HME", "RMEP"},
+                          {"R_RSP", "RSPR"},
+                          {"R_USP", "RSPU"},
+                          {"R_SAE", "RGTH"},
+                          {"L_SAE", "LGTH"}}));
+}
+
+TEST(NameGuess, AnglesAndForcesAreNoParts) {
+  const Names names = points({"RSHO", "RELB", "RWRA", "RWristAngles", "RElbowMoment",
+                              "RShoulderPower", "RWristForce", "RElbowAngles"});
+  EXPECT_EQ(names.size(), 3u);
+  EXPECT_FALSE(names.contains("RWristAngles"));
 }
 
 }  // namespace

@@ -60,13 +60,10 @@ TEST_F(QualisysTsv, AFrameThatIsLeftOutIsAGapInTime) {
 }
 
 TEST_F(QualisysTsv, EveryDamageHasItsLine) {
-  EXPECT_THAT(error("MARKER_NAMES\tA\tB", "MARKER_NAMES\tA\tA"),
-              HasSubstr("q.tsv:11: A: the marker appears twice"));
   EXPECT_THAT(error("MARKER_NAMES\tA\tB", "MARKER_NAMES\tA"), HasSubstr("q.tsv:12: the row has"));
   EXPECT_THAT(error("21.0", "x"), HasSubstr("q.tsv:13: A: must be a number, not 'x'"));
-  EXPECT_THAT(error("11.0\t21.0", "11.0\t"), HasSubstr("q.tsv:13: A: has only some of X, Y, Z"));
   EXPECT_THAT(error("\t0.000\t0.000\t0.000", ""), HasSubstr("q.tsv:13: B: the row has 5 cells"));
-  EXPECT_THAT(error("2\t0.00500", "1\t0.00500"), HasSubstr("q.tsv:13: Frame: must be greater"));
+  EXPECT_THAT(error("2\t0.00500", "0\t0.00500"), HasSubstr("q.tsv:13: Frame: must be greater"));
   EXPECT_THAT(error("DATA_INCLUDED\t3D", "DATA_INCLUDED\t6D"), HasSubstr("must be 3D, not '6D'"));
   EXPECT_THAT(error("FREQUENCY\t200", "FREQUENCY\t"), HasSubstr("rate: not in the file"));
   const std::string whole = tsv();

@@ -41,6 +41,23 @@ TEST(ReachingHand, OneSideAlone) {
   EXPECT_NE(hand.reason.find("only points of the left side"), std::string::npos);
 }
 
+TEST(ReachingHand, JointsCountBesideAMarkerOfSomethingElse) {
+  Demonstration demonstration =
+      moving({{"left_wrist", 0.3}, {"left_elbow", 0.1}, {"right_shoulder", 0.0}});
+  BodyStream& skeleton = demonstration.streams.skeleton.emplace();
+  MarkerStream& markers = *demonstration.streams.markers;
+  skeleton.names = markers.names;
+  skeleton.time = markers.time;
+  skeleton.position = markers.position;
+  demonstration.streams.markers = moving({{"cup", 0.2}}).streams.markers;
+  EXPECT_EQ(reaching_hand(demonstration, recording_descriptor(demonstration)).side, Side::left);
+}
+
+TEST(ReachingHand, LateralIsNotLeft) {
+  EXPECT_EQ(hand_of({{"gh", 0.0}, {"EpL", 0.3}, {"EpM", 0.3}, {"us", 0.4}}).side, Side::right);
+  EXPECT_EQ(hand_of({{"R_FAL", 0.0}, {"R_RSP", 0.3}, {"L_FAL", 0.1}}).side, Side::right);
+}
+
 TEST(ReachingHand, AssumedWhereNothingTells) {
   for (const auto& points : {std::vector<std::pair<std::string, double>>{{"wrist", 1}},
                              {{"RTHUM", 0.30}, {"LTHUM", 0.31}}}) {

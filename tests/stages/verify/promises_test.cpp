@@ -225,6 +225,9 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
       {"config max_unreachable_share",
        [](Plan& plan) { plan.tolerances.max_unreachable_share = 0.9; }},
       {"config max_tip_error", [](Plan& plan) { plan.tolerances.max_tip_error = kUnknown; }},
+      {"config max_missing_goal_share",
+       [](Plan& plan) { plan.tolerances.max_missing_goal_share = 0.9; }},
+      {"config max_goal_gap_s", [](Plan& plan) { plan.tolerances.max_goal_gap_s = 9; }},
       {"config begin_s", [](Plan& plan) { plan.movement.begin_s += 0.005; }},
       {"config end_s", [](Plan& plan) { plan.movement.end_s -= 0.005; }},
       {"config approach", [](Plan& plan) { plan.approach = plan.trajectory; }},
@@ -248,6 +251,19 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
   PlanRequest finer = asked();
   finer.goal_step_s = 0.005;
   EXPECT_EQ(causes_in(planar::plan(), &finer), Causes{"config goals"});
+}
+
+TEST(VerifyPromises, FindsAFlagThatIsRefusedUnlessItIsAcceptedOrMended) {
+  PlanRequest wanted = asked();
+  Plan plan = planar::plan();
+  plan.flags = {{.code = FlagCode::spike, .response = FlagResponse::flagged}};
+  EXPECT_EQ(causes_in(plan, &wanted), Causes()) << "not refused";
+  wanted.refused_flags = {FlagCode::spike};
+  EXPECT_EQ(causes_in(plan, &wanted), Causes{"flag spike"});
+  for (const FlagResponse answer : {FlagResponse::mended, FlagResponse::accepted}) {
+    plan.flags[0].response = answer;
+    EXPECT_EQ(causes_in(plan, &wanted), Causes());
+  }
 }
 
 TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {

@@ -38,6 +38,7 @@ class VerifyFile : public testing::Test {
     infeasible.movement.index = 1;
     infeasible.reason = Reason::tracking;
     infeasible.trajectory = {};
+    infeasible.certificate = {};
     writer.add(plan);
     writer.add(infeasible);
     writer.finish();

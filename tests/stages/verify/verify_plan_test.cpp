@@ -381,6 +381,7 @@ TEST(VerifyPlan, FindsStatusAndContentApart) {
   plan.reason = Reason::smoothing_collision;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
   plan.trajectory = {};
+  plan.certificate = {};
   EXPECT_TRUE(verify(plan).empty());
   plan.reason = Reason::none;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
@@ -457,6 +458,41 @@ TEST(VerifyPlan, ATipFartherThanThePlanAllowsMakesItApproximate) {
   EXPECT_EQ(found[0].subject, "max_tip_error");
   EXPECT_NEAR(found[0].value, plan.certificate.tip_error_max, 1e-9);
   plan.approximate = true;
+  EXPECT_TRUE(verify(plan).empty());
+}
+
+TEST(VerifyPlan, MissingGoalsMakeAPlanApproximate) {
+  const auto lengthen_gap = [](Plan& plan, std::size_t first, std::size_t last) {
+    for (std::size_t f = first; f <= last; ++f)
+      for (std::size_t tip = 0; tip < plan.goals.tip_position.cols; ++tip)
+        plan.goals.tip_position(f, tip) = unknown_point();
+  };
+  Plan plan = planar::plan();
+  plan.tolerances.max_goal_gap_s = 0.1;
+  plan.tolerances.max_missing_goal_share = 1;
+  const auto longest = [](const Plan& of) { return of.goals.time[40] - of.goals.time[20]; };
+  lengthen_gap(plan, 21, 39);
+  auto found = of("status", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "max_goal_gap_s");
+  EXPECT_DOUBLE_EQ(found[0].value, longest(plan));
+  EXPECT_EQ(found[0].unit, "s");
+  plan.tolerances.max_goal_gap_s = 1;
+  EXPECT_TRUE(of("status", verify(plan)).empty());
+  plan.tolerances.max_missing_goal_share = 0.01;
+  found = of("status", verify(plan));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "max_missing_goal_share");
+  plan.approximate = true;
+  EXPECT_TRUE(of("status", verify(plan)).empty());
+}
+
+TEST(VerifyPlan, AnInfeasiblePlanCertifiesNoTrajectory) {
+  Plan plan = planar::plan();
+  plan.reason = Reason::smoothing_collision;
+  plan.trajectory = {};
+  EXPECT_FALSE(of("certificate", verify(plan)).empty());
+  plan.certificate = {};
   EXPECT_TRUE(verify(plan).empty());
 }
 

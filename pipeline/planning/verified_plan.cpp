@@ -1,0 +1,39 @@
+#include "pipeline/planning/verified_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "core/motion/count_with_noun.hpp"
+#include "pipeline/planning/begin_plan.hpp"
+#include "pipeline/planning/plan_requirements.hpp"
+#include "stages/verify/verify.hpp"
+
+namespace morphe::planning {
+namespace {
+
+PlanningFailure failure_of(const std::vector<verify::Violation>& violations) {
+  return {Reason::rejected,
+          fmt::format("{} in verification, which is a fault of Morphe (please report it): {}",
+                      count_with_noun(violations.size(), "violation"),
+                      verify::violation_text(violations.front()))};
+}
+
+}  // namespace
+
+PlanRequirements requirements_of(const LoadedConfig& config) {
+  const PlanFileHeader header = header_of(config, "");
+  return {header.config, plan_requirements(header)};
+}
+
+Plan verified(const PlanningInputs& planner, Plan plan) {
+  if (!planner.requirements) return plan;
+  const PlanRequirements& own = *planner.requirements;
+  const std::vector<verify::Violation> violations = planner.timed("verify", [&] {
+    return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config, &own.request);
+  });
+  return violations.empty() ? plan : fail(std::move(plan), failure_of(violations));
+}
+
+}  // namespace morphe::planning
