@@ -13,7 +13,8 @@ TEST(Task, IsKnownByItsWordsInAnyForm) {
     EXPECT_EQ(kind_of_task(task), TaskKind::takes_object) << task;
   for (const char* task : {"reach forward", "reach_across", "COMB", "combing hair", "touching"})
     EXPECT_EQ(kind_of_task(task), TaskKind::touches) << task;
-  for (const char* task : {"", "walk", "open a door", "rise, lift arm", "move your left hand", "ADL007DR1", "computer", "placid", "putty"})
+  for (const char* task : {"", "walk", "open a door", "rise, lift arm", "move your left hand",
+                           "ADL007DR1", "computer", "placid", "putty"})
     EXPECT_EQ(kind_of_task(task), TaskKind::unknown) << task;
 }
 
