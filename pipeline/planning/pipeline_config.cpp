@@ -41,7 +41,7 @@ std::vector<PlanFileHeader::Input> name_inputs(const std::vector<Paths>& groups)
   std::vector<PlanFileHeader::Input> inputs;
   std::set<std::string> used_names;
   for (Paths files : groups) {
-    for (auto& file : files) file = std::filesystem::weakly_canonical(file);
+    for (auto& file : files) file = std::filesystem::absolute(file).lexically_normal();
     const std::filesystem::path common = common_folder(files);
     for (const auto& file : files) {
       const auto inside =

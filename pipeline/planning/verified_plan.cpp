@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/motion/count_with_noun.hpp"
+#include "core/motion/input_error.hpp"
 #include "pipeline/planning/begin_plan.hpp"
 #include "pipeline/planning/plan_requirements.hpp"
 #include "stages/verify/verify.hpp"
@@ -24,14 +25,20 @@ PlanningFailure failure_of(const std::vector<verify::Violation>& violations) {
 
 PlanRequirements requirements_of(const LoadedConfig& config) {
   const PlanFileHeader header = header_of(config, "");
-  return {header.config, plan_requirements(header)};
+  PlanRequirements requirements{header.config, std::nullopt};
+  try {
+    requirements.request = plan_requirements(header);
+  } catch (const InputError&) {  // `verify` reports it for the file as a whole
+  }
+  return requirements;
 }
 
 Plan verified(const PlanningInputs& planner, Plan plan) {
   if (!planner.requirements) return plan;
   const PlanRequirements& own = *planner.requirements;
   const std::vector<verify::Violation> violations = planner.timed("verify", [&] {
-    return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config, &own.request);
+    return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config,
+                               own.request ? &*own.request : nullptr);
   });
   return violations.empty() ? plan : fail(std::move(plan), failure_of(violations));
 }

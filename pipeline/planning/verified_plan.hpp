@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/motion/plan_request.hpp"
@@ -9,12 +10,12 @@ namespace morphe::planning {
 
 /// The requirements that `verify` will read from the header of the plans' file.
 struct PlanRequirements {
-  std::string config;  ///< as stored in the header
-  PlanRequest request;
+  std::string config;                  ///< as stored in the header
+  std::optional<PlanRequest> request;  ///< absent if the stored files do not refer to each other
 };
 
-/// Returns the requirements on plans made with a config, by way of their header. Throws InputError
-/// if the header does not say them, in which case `verify` would reject the file.
+/// Returns the requirements on plans made with a config, by way of their header. They have no
+/// request if the header does not say them, as for a robot whose files have no common folder.
 PlanRequirements requirements_of(const LoadedConfig& config);
 
 /// Verifies a plan as `verify` will, with code that shares nothing with planning. Returns the plan;
