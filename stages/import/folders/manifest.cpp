@@ -124,7 +124,8 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
                                      {"hand_breadth", entry.hand_breadth},
                                      {"rate_hz", entry.conventions.rate_hz}}) {
       if (!value || *value > 0) continue;
-      problems.attempt([&] { (item.has(key) ? item : root)[key].fail("must be positive"); });
+      problems.attempt(
+          [&, key = key] { (item.has(key) ? item : root)[key].fail("must be positive"); });
     }
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();

@@ -136,9 +136,10 @@ Demonstration read_mot(const RecordingFiles& files) {
     }
   }
   if (kept.empty()) {
+    std::vector<std::string> quantities;
+    for (const auto& [quantity, names] : left_out) quantities.push_back(quantity);
     text.fail(line, "",
-              fmt::format("has no column of a joint angle, only {}",
-                          fmt::join(std::views::keys(left_out), ", ")));
+              fmt::format("has no column of a joint angle, only {}", fmt::join(quantities, ", ")));
   }
   std::vector<double> values;
   int missing = 0;

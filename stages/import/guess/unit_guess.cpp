@@ -61,9 +61,10 @@ Guess guess_unit(const RecordedPoints& points) {
   }
   const auto [likeliest, metres] = *std::ranges::min_element(
       kUnits, {}, [&](const auto& known) { return median_misfit(lengths, known.second); });
-  const BodyLength& worst = *std::ranges::max_element(lengths, {}, [&](const BodyLength& length) {
-    return std::abs(std::log(length.ratio(metres)));
-  });
+  const BodyLength& worst =
+      *std::ranges::max_element(lengths, {}, [&, metres = metres](const BodyLength& length) {
+        return std::abs(log_ratio(length, metres));
+      });
   return {
       likeliest, Confidence::guessed,
       fmt::format("the nearest unit, although {} would then measure {} instead of {}: the "
