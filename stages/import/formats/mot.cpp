@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 #include "core/files/table_text.hpp"
 #include "stages/import/formats/mot_columns.hpp"
