@@ -41,8 +41,8 @@ constexpr std::array<std::string_view, 17> names_of(FlagCode) {
   // clang-format on
 }
 
-/// What was done about a flag: the data were mended, nothing, or nothing because a manifest
-/// accepts it.
+/// The answer to a doubt: the data were mended; the doubt was only flagged; or a manifest accepts
+/// it, and the data are unchanged.
 enum class FlagResponse : std::uint8_t { mended, flagged, accepted };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 3> names_of(FlagResponse) {

@@ -31,14 +31,15 @@ inline constexpr double kMinVerticalAgreement = 0.75;
 // a child of 0.9 m and more than the largest adult, half-way to these people in cm instead of in,
 // 0.30 to 0.43, and in in instead of cm, 1.9 to 2.8.
 inline constexpr double kMinRelativeSize = 0.5, kMaxRelativeSize = 1.6;
-/// Of one length, whose ends may be a hand's breadth from the joints; 0.45 to 1.3 were measured.
+/// Limits of one length, whose ends may be a hand's breadth from the joints; 0.45 to 1.3 were
+/// measured.
 inline constexpr double kMinLengthRatio = 0.35, kMaxLengthRatio = 2.5;
 
 // Static trial (static_fit.cpp), from 16 trials of seven people and each with the static trials of
 // the six others. Clusters fit their own static trial to 0.1-2.3 mm; another's plate to 9-10 mm.
 inline constexpr double kMaxClusterMisfit_m = 0.004;
-/// Of the base of the index finger in the hand's cluster, of shoulder and elbow as two clusters
-/// give them: the largest of own static trials [m].
+/// Displacements of the base of the index finger in the hand's cluster, of shoulder and elbow as
+/// two clusters give them: the largest of own static trials [m].
 inline constexpr double kOwnFingerBaseShift_m = 0.013;
 inline constexpr double kOwnShoulderGap_m = 0.042, kOwnElbowGap_m = 0.032;
 /// Sum of the three in units of these: at most 2.3 with the own static trial, 1.5 to 5.5 with
@@ -52,7 +53,8 @@ inline constexpr double kMaxObjectSize_m = 10, kMinObjectSize_m = 0.002;
 
 // Target (target_distance.cpp), chosen by hand: wider objects are not taken with one hand.
 inline constexpr double kMaxGraspWidth_m = 0.2;
-/// Of the nearest object from the tips in a movement without a grasp: beyond an arm's length.
+/// Distance of the nearest object from the tips in a movement without a grasp: beyond an arm's
+/// length.
 inline constexpr double kMaxReachObjectDistance_m = 1;
 
 /// Frames of a recording that are enough for a median over it (sampled_points.cpp); there are up to
@@ -146,8 +148,8 @@ inline constexpr double kOutlierPerNoise = 6;       ///< residual over the media
 inline constexpr double kLargeShare = 0.9;          ///< of the residuals are smaller than "large"
 inline constexpr double kOutlierPerLarge = 5;       ///< residual over the large one
 inline constexpr double kOutlierPerLocal = 4;       ///< residual over the median around it
-/// Of residuals that no motion explains: in the shipped recordings they reach 9 mm at 100 Hz, and
-/// 19 times the large one. A thrown ball is accelerated with 100 m/s^2 and more.
+/// Limit of residuals that no motion explains: in the shipped recordings they reach 9 mm at 100 Hz,
+/// and 19 times the large one. A thrown ball is accelerated with 100 m/s^2 and more.
 inline constexpr double kMinFarOutlier_m = 0.01, kFarAcceleration_m_s2 = 100, kFarPerLarge = 20;
 inline constexpr double kMaxNeighbour_m = 0.35;       ///< distance of points on one bone or plate
 inline constexpr double kRigidSpread_m = 0.004;       ///< of the middle 80 % of their distances
