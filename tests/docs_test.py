@@ -27,6 +27,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TRIED = ("README.md", "outputs/README.md", "docs/tour.md", "docs/robot_controllers.md")
 STEPS = sorted(path.relative_to(ROOT).as_posix() for path in (ROOT / "docs/steps").glob("*.md"))
 FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.M | re.S)
+# Of what the commands above it print, a page may state a line: <!-- prints: 5 movements: 5 executable -->
+PRINTS = re.compile(r"^<!-- prints: (.*?) -->$", re.M)
 # What the documents show was printed by a build with these compilers and packages, and must be what
 # they print again. With others the search may settle in another of several postures that serve the
 # goals alike, with millimetres and tempo of its own: there figures may differ by this share, or by two
@@ -409,6 +411,18 @@ def wrong_output(where, shown, printed, exact):
             yield f"{where}: shown:   {x}\n{' ' * len(where)}  printed: {y}"
 
 
+def missing_output(where, stated, printed):
+    if stated not in printed:
+        yield f"{where}: '{stated}' is stated, but the commands above it print:\n{printed}"
+
+
+def blocks_of(document):
+    """Kind and text of the fenced blocks and of the stated lines, in their order."""
+    blocks = [(m.start(), m[1], m[2]) for m in FENCE.finditer(document)]
+    blocks += [(m.start(), "prints", m[1]) for m in PRINTS.finditer(document)]
+    return [(kind, block) for _, kind, block in sorted(blocks)]
+
+
 def shown_by_such_a_build(folder):
     """Whether the program that wrote the sample's plans is built as the one that the documents show."""
     with h5py.File(folder / "outputs/sample/plans.h5") as plans:
@@ -446,8 +460,10 @@ def wrong_examples(morphe, update):
             printed, document = "", text_of(readme)
             if readme in STEPS and [kind for kind, _ in FENCE.findall(document)].count("sh") != 1:
                 yield f"{readme}: should have one block of commands"
-            for kind, block in FENCE.findall(document):
-                if kind == "sh":
+            for kind, block in blocks_of(document):
+                if kind == "prints":
+                    yield from missing_output(readme, block, printed)
+                elif kind == "sh":
                     printed = ""
                     for command in filter(None, block.splitlines()):
                         output, wrong = result_of(command, folder, done_before)
@@ -520,6 +536,11 @@ def self_test():
                                           "9 frames; 2 frames/s per core; 5 ms per movement: map 5", False)]:
         if bool(list(wrong_output("", shown, printed, exact))) != wrong:
             yield f"'{shown}' and '{printed}' are judged wrongly{' by the build that printed it' if exact else ''}"
+    made_up = "```sh\na\n```\n<!-- prints: 5 executable -->\n```sh\nb\n```\n"
+    if [kind for kind, _ in blocks_of(made_up)] != ["sh", "prints", "sh"]:
+        yield "a stated line is not found between the blocks"
+    if list(missing_output("", "5 executable", "5 executable, 0")) or not list(missing_output("", "5 e", "4 e")):
+        yield "a stated line is judged wrongly"
     page = text_of("docs/steps/reconstruct.md")
     yield from wrong_tables("as it is", page)
     if with_keys(page) != page:

@@ -153,7 +153,7 @@ def check(sources, paths=None):
 # A file, what is removed from it or put at its end, and the name that is missing then.
 PLANTED = [
     ("stages/repair/repair_strategy.cpp", None, "namespace morphe::repair { math::QuinticPiece planted(); }", "QuinticPiece"),
-    ("core/cover/fit_capsules.cpp", '#include "core/math/rotation.hpp"\n', "", "principal_axes"),
+    ("stages/import/guess/body_cues.cpp", '#include "core/math/rotation.hpp"\n', "", "principal_axes"),
     ("stages/scene/other_arm.cpp", '#include "core/math/rotation.hpp"\n', "", "shortest_rotation"),
 ]
 

@@ -3,6 +3,7 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,7 @@
 #include "core/collision/constants.hpp"
 #include "core/collision/mesh_solid.hpp"
 #include "core/collision/stl_file.hpp"
+#include "core/files/file_kind.hpp"
 #include "core/files/read_in_child.hpp"
 #include "core/math/convex_hull_3d.hpp"
 
@@ -74,6 +76,9 @@ std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh) 
   if (!std::filesystem::is_regular_file(file)) return file.string() + " cannot be read";
   if (std::filesystem::file_size(file) > kMaxMeshFile_bytes)
     return file.string() + ": is larger than 200 MB; simplify the mesh first";
+  if (const auto foreign = files::file_kind(files::read_file_head(file));
+      foreign && foreign->unwrapped)
+    return fmt::format("{}: is {}; {}", file.string(), foreign->name, foreign->advice);
   mesh.shape = Shape::mesh;
   mesh.size.clear();
   mesh.vertices.clear();

@@ -14,7 +14,8 @@
 namespace morphe::collision {
 namespace {
 
-constexpr std::size_t kHeaderBytes = 80, kFacetBytes = 50, kNormalBytes = 12;
+constexpr std::size_t kTitleBytes = 80, kFacetBytes = 50, kNormalBytes = 12;
+constexpr std::size_t kHeaderBytes = kTitleBytes + sizeof(std::uint32_t);  ///< with facet count
 constexpr std::string_view kBlanks = " \t\r\n\v\f", kByteOrderMark = "\xEF\xBB\xBF";
 
 void add_vertex(const float (&vertex)[3], SceneObject& mesh) {
@@ -24,10 +25,20 @@ void add_vertex(const float (&vertex)[3], SceneObject& mesh) {
   if (count % 3 == 0) mesh.triangles.emplace_back(count - 3, count - 2, count - 1);
 }
 
-std::string read_binary(std::string_view bytes, SceneObject& mesh) {
+/// Returns the number of facets in the header of a binary file.
+std::uint32_t facet_count(std::string_view bytes) {
   std::uint32_t count = 0;
-  std::memcpy(&count, bytes.data() + kHeaderBytes, sizeof count);
-  bytes.remove_prefix(kHeaderBytes + sizeof count);
+  std::memcpy(&count, bytes.data() + kTitleBytes, sizeof count);
+  return count;
+}
+
+std::string read_binary(std::string_view bytes, SceneObject& mesh) {
+  if (bytes.size() < kHeaderBytes) {
+    return fmt::format("the header of a binary STL has {} bytes, but the file has only {}",
+                       kHeaderBytes, bytes.size());
+  }
+  const std::uint32_t count = facet_count(bytes);
+  bytes.remove_prefix(kHeaderBytes);
   if (bytes.size() / kFacetBytes < count)
     return fmt::format("the header states {} facets, but the file has only {}", count,
                        bytes.size() / kFacetBytes);
@@ -69,12 +80,14 @@ std::string_view without_mark(std::string_view bytes) {
 }
 
 /// Returns true if the file has the length that its number of facets requires, because a binary
-/// header may begin with any bytes, or if its first word does not begin with "solid".
+/// header may begin with any bytes, if it has a zero byte, which no text has, or if its first word
+/// does not begin with "solid".
 bool is_binary(std::string_view bytes) {
-  std::uint32_t count = 0;
-  if (bytes.size() < kHeaderBytes + sizeof count) return false;
-  std::memcpy(&count, bytes.data() + kHeaderBytes, sizeof count);
-  return bytes.size() == kHeaderBytes + sizeof count + kFacetBytes * std::size_t{count} ||
+  const bool is_whole =
+      bytes.size() >= kHeaderBytes &&
+      bytes.size() - kHeaderBytes == kFacetBytes * std::size_t{facet_count(bytes)};
+  if (bytes.empty() || is_whole) return is_whole;
+  return bytes.find('\0') != std::string_view::npos ||
          !is_word(Words{without_mark(bytes)}.next().substr(0, 5), "solid");
 }
 

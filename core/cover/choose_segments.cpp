@@ -1,6 +1,7 @@
 #include "core/cover/choose_segments.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/cover/capsule_surface.hpp"
@@ -12,132 +13,295 @@ namespace {
 
 using collision::CapsuleBody;
 
-/// Segments inside the body, and the distance of every point from each of them.
-struct Segments {
-  std::vector<CapsuleBody> bodies;  ///< radius: smallest distance from the surface along it
-  std::vector<float> distance;      ///< [segments, points]
-};
+/// The points that no chosen capsule covers yet, in single precision: they are only counted.
+struct PointCloud {
+  std::vector<float> x, y, z;
 
-std::vector<Vec3> points_inside(const Voxels& voxels) {
-  std::vector<Vec3> inside;
-  for (int z = 0; z < voxels.count.z(); ++z) {
-    for (int y = 0; y < voxels.count.y(); ++y) {
-      for (int x = 0; x < voxels.count.x(); ++x)
-        if (voxels.inside[voxels.index(x, y, z)]) inside.push_back(voxels.centre(x, y, z));
+  explicit PointCloud(const std::vector<Vec3>& points) {
+    for (const Vec3& point : points) {
+      x.push_back(static_cast<float>(point.x()));
+      y.push_back(static_cast<float>(point.y()));
+      z.push_back(static_cast<float>(point.z()));
     }
   }
-  return inside;
+  std::ptrdiff_t size() const { return std::ssize(x); }
+};
+
+/// Tells which points are in a capsule, for one capsule and many points.
+struct CapsuleFilter {
+  Eigen::Vector3f from, axis;
+  float inverse_square, square_radius;
+
+  explicit CapsuleFilter(const CapsuleBody& capsule)
+      : from(capsule.from.cast<float>()), axis((capsule.to - capsule.from).cast<float>()) {
+    const float square = axis.squaredNorm();
+    inverse_square = square > 0 ? 1 / square : 0;
+    square_radius = static_cast<float>(capsule.radius * capsule.radius);
+  }
+  bool contains(float x, float y, float z) const {
+    x -= from.x();
+    y -= from.y();
+    z -= from.z();
+    const float t =
+        std::clamp((x * axis.x() + y * axis.y() + z * axis.z()) * inverse_square, 0.0F, 1.0F);
+    x -= t * axis.x();
+    y -= t * axis.y();
+    z -= t * axis.z();
+    return x * x + y * y + z * z <= square_radius;
+  }
+};
+
+int count_inside(const CapsuleBody& capsule, const PointCloud& cloud) {
+  if (!(capsule.radius > 0)) return 0;
+  const CapsuleFilter filter(capsule);
+  int count = 0;
+  for (std::ptrdiff_t p = 0; p < cloud.size(); ++p)
+    count += filter.contains(cloud.x[p], cloud.y[p], cloud.z[p]);
+  return count;
 }
 
-/// Returns the depth of a point of the grid below the surface, < 0 outside [m].
-double depth(const Voxels& voxels, const Vec3& point) {
-  const Eigen::Vector3i at = ((point - voxels.origin) / voxels.step_m).cast<int>();
-  const std::ptrdiff_t cell = voxels.index(at.x(), at.y(), at.z());
-  return voxels.inside[cell] ? voxels.distance[cell] : -voxels.distance[cell];
+void remove_inside(const CapsuleBody& capsule, PointCloud& cloud) {
+  const CapsuleFilter filter(capsule);
+  std::ptrdiff_t kept = 0;
+  for (std::ptrdiff_t p = 0; p < cloud.size(); ++p) {
+    if (filter.contains(cloud.x[p], cloud.y[p], cloud.z[p])) continue;
+    cloud.x[kept] = cloud.x[p];
+    cloud.y[kept] = cloud.y[p];
+    cloud.z[kept++] = cloud.z[p];
+  }
+  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) values->resize(kept);
+}
+
+double max_depth_m(const Voxels& voxels) {
+  float depth = 0;
+  for (std::ptrdiff_t cell = 0; cell < std::ssize(voxels.inside); ++cell)
+    if (voxels.inside[cell]) depth = std::max(depth, voxels.distance[cell]);
+  return depth;
+}
+
+/// The largest balls about every voxel that stand off the body by at most a growth.
+struct Room {
+  const Voxels& voxels;
+  double growth_m;
+  std::vector<float> radius;  ///< [voxels] [m]; empty: depth below the surface + growth
+
+  Room(const Voxels& grid, const StandoffLimits& limits, double growth)
+      : voxels(grid), growth_m(growth) {
+    // The distance from the voxels that stand off too far is larger than depth + growth in hollows.
+    if (growth_m <= 0 || growth_m > voxels.padding_m - voxels.step_m) return;
+    std::vector<std::uint8_t> forbidden(voxels.inside.size(), 0);
+    for (std::ptrdiff_t cell = 0; cell < std::ssize(forbidden); ++cell) {
+      if (voxels.inside[cell]) continue;
+      forbidden[cell] =
+          voxels.distance[cell] > growth_m || (!limits.forbidden.empty() && limits.forbidden[cell]);
+    }
+    radius = distances_to(voxels, forbidden);
+  }
+  /// Returns the radius of the largest ball about a point, < 0 if there is none.
+  double at(const Vec3& point) const {
+    const std::ptrdiff_t cell = voxels.cell_of(point);
+    if (cell < 0) return -1;
+    if (!radius.empty()) return radius[cell] - 0.5 * voxels.step_m;
+    return (voxels.inside[cell] ? voxels.distance[cell] : -voxels.distance[cell]) + growth_m;
+  }
+};
+
+/// Sets the largest radius of a capsule, < 0 if there is none.
+void set_radius(const Room& room, CapsuleBody& capsule) {
+  const int steps = 1 + static_cast<int>((capsule.to - capsule.from).norm() / room.voxels.step_m);
+  capsule.radius = kInfinity;
+  for (int step = 0; step <= steps && capsule.radius >= 0; ++step) {
+    const Vec3 point = capsule.from + (capsule.to - capsule.from) * step / steps;
+    capsule.radius = std::min(capsule.radius, room.at(point));
+  }
 }
 
 /// Returns the deepest of `draws` random interior points: with more, nearer to the medial axis.
 Vec3 draw_inside(const Voxels& voxels, const std::vector<Vec3>& inside, int draws,
                  math::RandomStream& random) {
   Vec3 deepest = inside.front();
-  double max_depth_m = -1;
+  float max_depth = -1;
   for (int k = 0; k < draws; ++k) {
     const Vec3& point =
         inside[static_cast<std::size_t>(random.uniform() * static_cast<double>(inside.size()))];
-    const double depth_m = depth(voxels, point);
-    if (depth_m > max_depth_m) deepest = point;
-    max_depth_m = std::max(max_depth_m, depth_m);
+    const float depth = voxels.distance[voxels.cell_of(point)];
+    if (depth > max_depth) deepest = point;
+    max_depth = std::max(max_depth, depth);
   }
   return deepest;
 }
 
-Segments draw_segments(const Voxels& voxels, const std::vector<Vec3>& points, int deep_thirds,
-                       const std::string& name) {
-  Segments segments;
+/// Draws segments inside the body; a third of them have ends near the medial axis.
+std::vector<CapsuleBody> draw_segments(const Voxels& voxels, math::RandomStream& random) {
   const std::vector<Vec3> inside = points_inside(voxels);
-  math::RandomStream random(2, name);
+  const Room surface(voxels, {}, 0);
+  std::vector<CapsuleBody> segments;
   for (int k = 0;
-       std::ssize(segments.bodies) < kCandidateCount && k < kMaxDrawsPerCandidate * kCandidateCount;
-       ++k) {
-    const int draws = k % 3 < deep_thirds ? kDeepDraws : 1;
+       std::ssize(segments) < kCandidateCount && k < kMaxDrawsPerCandidate * kCandidateCount; ++k) {
+    const int draws = k % 3 == 0 ? kDeepDraws : 1;
     CapsuleBody body{draw_inside(voxels, inside, draws, random),
-                     draw_inside(voxels, inside, draws, random), kInfinity};
+                     draw_inside(voxels, inside, draws, random), 0};
     if (k % kSpherePeriod == 0) body.to = body.from;
-    const int steps = 1 + static_cast<int>((body.to - body.from).norm() / voxels.step_m);
-    for (int step = 0; step <= steps && body.radius >= 0; ++step) {
-      const double t = static_cast<double>(step) / steps;
-      body.radius = std::min(body.radius, depth(voxels, body.from + t * (body.to - body.from)));
-    }
-    if (body.radius >= 0) segments.bodies.push_back(body);
-  }
-  segments.distance.reserve(segments.bodies.size() * points.size());
-  for (const CapsuleBody& body : segments.bodies) {
-    for (const Vec3& point : points) {
-      segments.distance.push_back(
-          static_cast<float>(distance_to_segment(point, body.from, body.to)));
-    }
+    set_radius(surface, body);
+    if (body.radius >= 0) segments.push_back(body);
   }
   return segments;
 }
 
-/// Chooses segments greedily that cover all points at a growth; empty if over `budget` are needed.
-std::vector<int> cover_greedily(const Segments& segments, std::ptrdiff_t points, double growth_m,
-                                int budget) {
-  std::vector<float> covered(points, 0);  // added to distances: infinity once covered
-  std::ptrdiff_t uncovered = points;
-  std::vector<int> choice;
-  // Upper bounds of the number of points that a segment adds: they only fall, and save evaluations.
-  std::vector<int> max_added(segments.bodies.size(), std::numeric_limits<int>::max());
-  const auto distances = [&](int s) { return segments.distance.data() + s * points; };
-  const auto grown_radius = [&](int s) {
-    return static_cast<float>(segments.bodies[s].radius + growth_m);
-  };
-  while (uncovered > 0 && std::ssize(choice) < budget) {
-    int best_segment = 0, max_gain = 0;
-    for (int s = 0; s < std::ssize(segments.bodies); ++s) {
-      if (max_added[s] <= max_gain) continue;
-      const float radius_m = grown_radius(s);
-      const float* distance = distances(s);
-      int added = 0;
-      for (std::ptrdiff_t p = 0; p < points; ++p) added += distance[p] + covered[p] <= radius_m;
-      max_added[s] = added;
-      if (added > max_gain) {
-        max_gain = added;
-        best_segment = s;
-      }
+/// A greedy choice of capsules of one growth.
+struct GreedyCover {
+  const Voxels& voxels;
+  const Room room;
+  const std::vector<Vec3>& directions;
+  double max_depth_m;
+  PointCloud uncovered;
+  math::RandomStream random;
+  std::vector<CapsuleBody> candidates;
+  /// Upper bounds of the number of points that a candidate adds: they only fall, and save counting.
+  std::vector<int> max_added;
+
+  /// Returns the candidates that add most, the best first, at most kClimbedCandidates.
+  std::vector<std::pair<int, int>> best_candidates() {
+    std::vector<std::pair<int, int>> best;  // points added, candidate
+    for (int s = 0; s < std::ssize(candidates); ++s) {
+      const bool full = std::ssize(best) == kClimbedCandidates;
+      if (max_added[s] == 0 || (full && max_added[s] <= best.back().first)) continue;
+      max_added[s] = count_inside(candidates[s], uncovered);
+      if (full && max_added[s] <= best.back().first) continue;
+      best.emplace_back(max_added[s], s);
+      std::ranges::stable_sort(best, std::greater<>(), &std::pair<int, int>::first);
+      if (std::ssize(best) > kClimbedCandidates) best.pop_back();
     }
-    if (max_gain == 0) return {};
-    for (std::ptrdiff_t p = 0; p < points; ++p)
-      if (distances(best_segment)[p] + covered[p] <= grown_radius(best_segment))
-        covered[p] = std::numeric_limits<float>::infinity();
-    uncovered -= max_gain;
-    choice.push_back(best_segment);
+    return best;
   }
-  return uncovered == 0 ? choice : std::vector<int>{};
-}
+
+  /// Moves the ends of a capsule at random while it adds more points; returns their number.
+  int climb(CapsuleBody& capsule, int added) {
+    double move_m = kClimbFirstMove_cells * voxels.step_m;
+    for (int k = 0; k < kClimbMoves; ++k, move_m *= kClimbMoveFactor) {
+      CapsuleBody moved = capsule;
+      if (k % 3 != 1) moved.from += move_m * random.normal_vector3();
+      if (k % 3 != 2) moved.to += move_m * random.normal_vector3();
+      set_radius(room, moved);
+      const int now = count_inside(moved, uncovered);
+      if (now <= added) continue;
+      capsule = moved;
+      added = now;
+    }
+    return added;
+  }
+
+  /// Returns the ball that adds most of some random ones that hold an uncovered point.
+  CapsuleBody ball_at_uncovered_point() {
+    const auto p =
+        static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(uncovered.size()));
+    const Vec3 point(uncovered.x[p], uncovered.y[p], uncovered.z[p]);
+    CapsuleBody best;
+    int most = 0;
+    for (int k = 0; k < kBallsPerPoint; ++k) {
+      const Vec3 direction = random.normal_vector3().normalized();
+      const double share = random.uniform();
+      const double distance_m = share * share * (max_depth_m + room.growth_m);
+      CapsuleBody ball{point + distance_m * direction, point + distance_m * direction, 0};
+      set_radius(room, ball);
+      if (ball.radius < distance_m) continue;
+      const int added = count_inside(ball, uncovered);
+      if (added <= most) continue;
+      most = added;
+      best = ball;
+    }
+    return best;
+  }
+
+  /// Returns the end of the longest way from a point on which a ball of this radius has room.
+  Vec3 farthest(const Vec3& from, const Vec3& direction, double radius_m) const {
+    Vec3 end = from;
+    while (true) {
+      const Vec3 next = end + voxels.step_m * direction;
+      if (room.at(next) < radius_m) return end;
+      end = next;
+    }
+  }
+
+  /// Returns the ball, drawn out along the direction in which it adds most.
+  CapsuleBody drawn_out(const CapsuleBody& ball) const {
+    CapsuleBody best = ball;
+    int most = count_inside(ball, uncovered);
+    for (const Vec3& direction : directions) {
+      const CapsuleBody drawn{farthest(ball.from, direction, ball.radius),
+                              farthest(ball.from, -direction, ball.radius), ball.radius};
+      const int added = count_inside(drawn, uncovered);
+      if (added <= most) continue;
+      most = added;
+      best = drawn;
+    }
+    return best;
+  }
+
+  /// Returns at most `budget` capsules that cover all points, or none.
+  std::vector<CapsuleBody> choose(int budget, bool with_climbing) {
+    for (CapsuleBody& candidate : candidates) set_radius(room, candidate);
+    std::vector<CapsuleBody> chosen;
+    while (uncovered.size() > 0) {
+      CapsuleBody best;
+      int max_gain = 0;
+      for (const auto& [gain, s] : best_candidates()) {
+        CapsuleBody capsule = candidates[s];
+        const int added = with_climbing ? climb(capsule, gain) : gain;
+        if (added <= max_gain) continue;
+        max_gain = added;
+        best = capsule;
+        if (!with_climbing) break;
+      }
+      for (int k = 0; with_climbing && k < (max_gain == 0 ? kMaxUncoveredSeeds : kUncoveredSeeds);
+           ++k) {
+        CapsuleBody capsule = drawn_out(ball_at_uncovered_point());
+        const int added = climb(capsule, count_inside(capsule, uncovered));
+        if (added <= max_gain) continue;
+        max_gain = added;
+        best = capsule;
+      }
+      // Later capsules hardly add more points than earlier ones.
+      if (max_gain == 0 || uncovered.size() > max_gain * (budget - std::ssize(chosen))) return {};
+      remove_inside(best, uncovered);
+      chosen.push_back(best);
+    }
+    return chosen;
+  }
+};
 
 }  // namespace
 
-std::vector<CapsuleBody> choose_segments(const Voxels& voxels, const std::vector<Vec3>& points,
-                                         int deep_thirds, int budget, double max_growth_m,
-                                         const std::string& name) {
-  const Segments segments = draw_segments(voxels, points, deep_thirds, name);
-  double low = 0, high = max_growth_m;
-  std::vector<int> chosen = cover_greedily(segments, std::ssize(points), high, budget);
-  for (int k = 0; k < kGrowthBisectionCount; ++k) {
-    const double growth = 0.5 * (low + high);
-    std::vector<int> choice = cover_greedily(segments, std::ssize(points), growth, budget);
-    if (choice.empty()) {
-      low = growth;
-    } else {
-      high = growth;
-      chosen = std::move(choice);
+Segments choose_segments(const Voxels& voxels, const std::vector<Vec3>& points,
+                         const std::vector<Vec3>& directions, int budget,
+                         const StandoffLimits& limits, const std::string& name) {
+  math::RandomStream random(2, name);
+  const std::vector<CapsuleBody> candidates = draw_segments(voxels, random);
+  const PointCloud cloud(points);
+  const auto cover = [&](double growth_m, bool with_climbing) {
+    GreedyCover greedy{
+        voxels,     Room(voxels, limits, growth_m),
+        directions, max_depth_m(voxels),
+        cloud,      math::RandomStream(3, name),
+        candidates, std::vector<int>(candidates.size(), std::numeric_limits<int>::max())};
+    return Segments{greedy.choose(budget, with_climbing), growth_m};
+  };
+  Segments chosen = cover(limits.aim_m, true);
+  if (!chosen.capsules.empty() || !limits.forbidden.empty()) return chosen;
+  double high = voxels.step_m * voxels.count.cast<double>().norm();
+  const auto bisect = [&](int count, bool with_climbing) {
+    double low = limits.aim_m;
+    for (int k = 0; k < count; ++k) {
+      const double growth_m = 0.5 * (low + high);
+      Segments choice = cover(growth_m, with_climbing);
+      (choice.capsules.empty() ? low : high) = growth_m;
+      if (!choice.capsules.empty()) chosen = std::move(choice);
     }
-  }
-  std::vector<CapsuleBody> capsules;
-  for (const int s : chosen) capsules.push_back(segments.bodies[s]);
-  for (CapsuleBody& capsule : capsules) capsule.radius += high;
-  return capsules;
+  };
+  chosen = cover(high, false);
+  bisect(kGrowthBisectionCount, false);
+  bisect(kClimbBisectionCount, true);
+  return chosen;
 }
 
 }  // namespace morphe::cover

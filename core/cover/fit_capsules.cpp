@@ -1,16 +1,17 @@
 #include "core/cover/fit_capsules.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 
+#include "core/collision/mesh_solid.hpp"
 #include "core/cover/capsule_surface.hpp"
 #include "core/cover/choose_segments.hpp"
 #include "core/cover/constants.hpp"
+#include "core/cover/cover_primitives.hpp"
 #include "core/cover/surface.hpp"
 #include "core/cover/voxels.hpp"
 #include "core/math/random_stream.hpp"
-#include "core/math/rotation.hpp"
 #include "core/math/statistics.hpp"
 
 namespace morphe::cover {
@@ -71,61 +72,6 @@ void refine(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points,
   }
 }
 
-Vec3 mean_point(const std::vector<Vec3>& points) {
-  Vec3 mean = Vec3::Zero();
-  for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
-  return mean;
-}
-
-/// Splits points by the plane through their mean perpendicular to their principal axis.
-std::array<std::vector<Vec3>, 2> halves(const std::vector<Vec3>& points) {
-  const Vec3 mean = mean_point(points);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points) spread += (point - mean) * (point - mean).transpose();
-  const Vec3 axis = math::principal_axes(spread).axes.col(2);
-  std::array<std::vector<Vec3>, 2> parts;
-  for (const Vec3& point : points) parts[axis.dot(point - mean) > 0 ? 1 : 0].push_back(point);
-  return parts;
-}
-
-/// Returns a capsule along the principal axis of points that encloses them.
-CapsuleBody enclosing_capsule(const std::vector<Vec3>& points) {
-  const Vec3 mean = mean_point(points);
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vec3& point : points)
-    spread += (point - mean) * (point - mean).transpose() / static_cast<double>(points.size());
-  const math::PrincipalAxes principal = math::principal_axes(spread);
-  const Vec3 half =
-      std::sqrt(std::max(0.0, principal.moments[2] - principal.moments[1])) * principal.axes.col(2);
-  CapsuleBody capsule{mean - half, mean + half, 0};
-  capsule.radius = farthest_distance(points, capsule.from, capsule.to);
-  return capsule;
-}
-
-/// Splits capsules in two within the budget, at no higher cost; returns true if it split any.
-bool split(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points,
-           const Voxels& voxels, int budget) {
-  const std::vector<std::vector<Vec3>> own = assign_points(capsules, points);
-  std::vector<int> order;
-  std::vector<double> cost;
-  for (int c = 0; c < std::ssize(capsules); ++c) {
-    cost.push_back(standoff_cost(capsules[c], voxels));
-    if (std::ssize(own[c]) >= kMinSplitPoints) order.push_back(c);
-  }
-  std::ranges::stable_sort(order, std::greater<>(), [&](int c) { return cost[c]; });
-  const std::size_t before = capsules.size();
-  for (const int c : order) {
-    if (std::ssize(capsules) == budget) break;
-    const auto parts = halves(own[c]);
-    if (parts[0].empty() || parts[1].empty()) continue;
-    const CapsuleBody one = enclosing_capsule(parts[0]), other = enclosing_capsule(parts[1]);
-    if (standoff_cost(one, voxels) + standoff_cost(other, voxels) > cost[c]) continue;
-    capsules[c] = one;
-    capsules.push_back(other);
-  }
-  return capsules.size() > before;
-}
-
 /// Sets the smallest radii that enclose all points, plus a margin; removes capsules without points.
 void enclose_points(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>& points) {
   const std::vector<std::vector<Vec3>> own = assign_points(capsules, points);
@@ -137,6 +83,37 @@ void enclose_points(std::vector<CapsuleBody>& capsules, const std::vector<Vec3>&
         farthest_distance(own[c], capsules[c].from, capsules[c].to) + kRadiusMargin_m;
   }
   capsules = std::move(used);
+}
+
+/// Returns points on the surface, its outermost corners, and points inside.
+std::vector<Vec3> points_of(const std::vector<Triangle>& surface, const Voxels& voxels, int count,
+                            const std::string& name) {
+  std::vector<Vec3> points = sample_area(surface, count, name);
+  for (const Vec3& corner : outermost_corners(surface)) points.push_back(corner);
+  const std::vector<Vec3> inside = points_inside(voxels);
+  const int inner = count / kSurfacePerInnerPoint;
+  for (int k = 0; k < inner; ++k)
+    points.push_back(
+        inside[inside.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(inner)]);
+  return points;
+}
+
+/// Sets the standoffs of the capsules' outer surface from the body, by a distance from it.
+void judge_standoffs(const std::vector<CapsuleBody>& capsules,
+                     const std::function<double(const Vec3&)>& distance_m, FitQuality& quality) {
+  std::vector<double> standoffs;
+  for (const CapsuleBody& capsule : capsules) {
+    for (const Vec3& point : sample_capsule_surface(capsule, kQualityRings, kQualityRingPoints))
+      if (union_signed_distance(capsules, point) > -kOuterDepth_m)
+        standoffs.push_back(distance_m(point));
+  }
+  if (standoffs.empty()) return;
+  std::ranges::sort(standoffs);
+  quality.standoff_median_m = math::lower_quantile(standoffs, 0.5);
+  quality.standoff_95_m = math::lower_quantile(standoffs, 0.95);
+  const auto end = std::ranges::upper_bound(standoffs, kNear_m);
+  quality.near_share =
+      static_cast<double>(end - standoffs.begin()) / static_cast<double>(standoffs.size());
 }
 
 FitQuality fit_quality(const std::vector<CapsuleBody>& capsules,
@@ -152,19 +129,12 @@ FitQuality fit_quality(const std::vector<CapsuleBody>& capsules,
     quality.largest_gap_m = std::max(quality.largest_gap_m, gap_m);
   }
   quality.coverage = inside / static_cast<double>(samples.size());
-  std::vector<double> standoffs;
-  for (const CapsuleBody& capsule : capsules) {
-    for (const Vec3& point : sample_capsule_surface(capsule, kQualityRings, kQualityRingPoints))
-      if (union_signed_distance(capsules, point) > -kOuterDepth_m)
-        standoffs.push_back(voxels.outside_distance(point));
-  }
-  if (standoffs.empty()) return quality;
-  std::ranges::sort(standoffs);
-  quality.standoff_median_m = math::lower_quantile(standoffs, 0.5);
-  quality.standoff_95_m = math::lower_quantile(standoffs, 0.95);
-  const auto end = std::ranges::upper_bound(standoffs, kNear_m);
-  quality.near_share =
-      static_cast<double>(end - standoffs.begin()) / static_cast<double>(standoffs.size());
+  const collision::MeshSolid mesh = collision::make_mesh_solid(mesh_of(surface));
+  const auto standoff_m = [&](const Vec3& point) {
+    Vec3 gradient;
+    return voxels.outside_distance(point) > 0 ? collision::mesh_distance(mesh, point, gradient) : 0;
+  };
+  judge_standoffs(capsules, standoff_m, quality);
   return quality;
 }
 
@@ -206,35 +176,85 @@ std::vector<CapsuleBody> exact_capsules(const std::vector<SceneObject>& bodies) 
   return capsules;
 }
 
+int enclosed_sample_count(const std::vector<Triangle>& surface) {
+  const double wanted = area_of(surface) / kEnclosedSampleArea_m2;
+  return static_cast<int>(std::clamp<double>(wanted, kMinEnclosedSamples, kMaxEnclosedSamples));
+}
+
+/// Sets the radii so that they enclose the points of the search and many others.
+void enclose_surface(std::vector<CapsuleBody>& capsules, const std::vector<Triangle>& surface,
+                     const Voxels& voxels, const std::vector<Vec3>& points,
+                     const std::string& name) {
+  std::vector<Vec3> enclosed =
+      points_of(surface, voxels, enclosed_sample_count(surface), name + "/held");
+  enclosed.insert(enclosed.end(), points.begin(), points.end());
+  enclose_points(capsules, enclosed);
+}
+
+/// Returns the grid for a fit: with bodies nearby, as far as these must be known, and so fine that
+/// the gap to them is several voxels wide.
+Voxels grid_for(const std::vector<Triangle>& surface, const FitOptions& options) {
+  const Voxels plain = voxels_of(surface, kCellsOnLongestSide, options.aim_m);
+  if (options.nearby.empty()) return plain;
+  const double wanted =
+      kCellsOnLongestSide * plain.step_m * kCellsAcrossGap / std::max(options.gap_m, kMinStep_m);
+  const int cells =
+      static_cast<int>(std::clamp<double>(wanted, kCellsOnLongestSide, kMaxCellsOnLongestSide));
+  return voxels_of(surface, cells, 2 * options.aim_m + options.clearance_m);
+}
+
+/// Removes capsules that lie inside another one, as they do if both their ends do.
+void remove_contained(std::vector<CapsuleBody>& capsules) {
+  const auto contains = [](const CapsuleBody& outer, const CapsuleBody& inner) {
+    const double depth_m = outer.radius - inner.radius;
+    return distance_to_segment(inner.from, outer.from, outer.to) <= depth_m &&
+           distance_to_segment(inner.to, outer.from, outer.to) <= depth_m;
+  };
+  for (std::size_t k = capsules.size(); k-- > 0;) {
+    const auto outer = std::ranges::find_if(capsules, [&](const CapsuleBody& other) {
+      return &other != &capsules[k] && contains(other, capsules[k]);
+    });
+    if (outer != capsules.end()) capsules.erase(capsules.begin() + static_cast<std::ptrdiff_t>(k));
+  }
+}
+
 }  // namespace
 
-CapsuleFit fit_capsules(const std::vector<SceneObject>& bodies, int budget,
+CapsuleFit fit_capsules(const std::vector<SceneObject>& bodies, const FitOptions& options,
                         const std::string& name) {
   CapsuleFit cover;
   cover.capsules = exact_capsules(bodies);
-  if (!cover.capsules.empty() && std::ssize(cover.capsules) <= budget) return cover;
+  if (!cover.capsules.empty() && std::ssize(cover.capsules) <= options.budget) return cover;
+  cover.capsules.clear();
+  if (options.nearby.empty()) cover.capsules = cover_primitives(bodies, options.budget);
+  if (!cover.capsules.empty()) {
+    judge_standoffs(
+        cover.capsules, [&](const Vec3& point) { return distance_from_primitives(bodies, point); },
+        cover.quality);
+    return cover;
+  }
   const std::vector<Triangle> surface = surface_of(bodies);
   if (surface.empty()) return cover;
-  const Voxels voxels =
-      voxels_of(sample_area(surface, kVoxelSampleCount, name + "/dense"), kCellsOnLongestSide);
-  std::vector<Vec3> points = sample_area(surface, kFitSampleCount, name);
-  for (const Vec3& corner : outermost_corners(surface)) points.push_back(corner);
-  double min_cost = kInfinity;
-  for (const int deep_thirds : {1, 2, 3}) {
-    std::vector<CapsuleBody> capsules =
-        choose_segments(voxels, points, deep_thirds, budget,
-                        voxels.step_m * (kCellsOnLongestSide + 1) * std::sqrt(3.0), name);
-    refine(capsules, points, voxels, name);
-    while (std::ssize(capsules) < budget && split(capsules, points, voxels, budget))
-      refine(capsules, points, voxels, name);
-    enclose_points(capsules, points);
-    const double cost = mean_square_standoff(capsules, voxels);
-    if (cost < min_cost) cover.capsules = std::move(capsules);
-    min_cost = std::min(min_cost, cost);
+  const Voxels voxels = grid_for(surface, options);
+  const std::vector<Vec3> points = points_of(surface, voxels, kFitSampleCount, name);
+  const std::vector<Vec3> directions = main_directions(surface);
+  StandoffLimits limits{options.aim_m - 0.5 * voxels.step_m, {}};
+  Segments chosen;
+  if (!options.nearby.empty()) {
+    limits.forbidden =
+        voxels_nearer_to(options.nearby, options.clearance_m + voxels.step_m, voxels);
+    chosen = choose_segments(voxels, points, directions, options.budget, limits, name);
+    limits.forbidden.clear();
   }
-  std::vector<Vec3> enclosed = sample_area(surface, kEnclosedSampleCount, name + "/held");
-  enclosed.insert(enclosed.end(), points.begin(), points.end());
-  enclose_points(cover.capsules, enclosed);
+  if (chosen.capsules.empty())
+    chosen = choose_segments(voxels, points, directions, options.budget, limits, name);
+  cover.capsules = std::move(chosen.capsules);
+  if (chosen.growth_m > limits.aim_m) {
+    enclose_points(cover.capsules, points);
+    refine(cover.capsules, points, voxels, name);
+  }
+  enclose_surface(cover.capsules, surface, voxels, points, name);
+  remove_contained(cover.capsules);
   cover.quality = fit_quality(cover.capsules, surface, voxels, name);
   return cover;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/collision/distance.hpp"
+#include "core/cover/surface.hpp"
 #include "core/motion/scene.hpp"
 
 namespace morphe::cover {
@@ -23,15 +24,27 @@ struct CapsuleFit {
   FitQuality quality;
 };
 
-/// Fits at most `budget` capsules that enclose the surface of the bodies as closely as possible. It
-/// first chooses segments between interior points greedily. Each covers, after widening all by the
-/// same growth, most of the points that remain; the growth is the smallest for which the budget
-/// suffices. Then it moves their ends as long as the distance of the capsules' surface from the
-/// body decreases, with each surface point assigned to the capsule in which it is deepest. If
-/// budget remains, the worst capsules are split and moved again. Bodies that are all spheres and
-/// capsules are kept exactly if they fit into the budget. Gaps can only be between the samples of
-/// the surface. `name` seeds the sampling; without a surface there are no capsules.
-CapsuleFit fit_capsules(const std::vector<SceneObject>& bodies, int budget,
+/// How closely to fit.
+struct FitOptions {
+  int budget = 1;  ///< largest number of capsules
+  double aim_m =
+      0;  ///< standoff with which the fewest capsules are taken; a closer fit is not sought
+  std::vector<Triangle> nearby = {};  ///< surfaces that the capsules should stay clear of
+  double gap_m = 0;                   ///< between the body and these surfaces
+  double clearance_m = 0;             ///< from capsules that stay clear of this body likewise
+};
+
+/// Bodies that are all boxes, cylinders and spheres are covered in closed form
+/// (cover_primitives.hpp), if there are not more of them than capsules and no surface is nearby.
+/// Otherwise fits at most `budget` capsules that enclose bodies, their surface and their inside, as
+/// closely as possible. None stands off the bodies by more than a common growth: the aim or, if the
+/// budget does not suffice for it, the least for which it does (choose_segments.hpp); in the latter
+/// case the ends are then moved as long as the mean square standoff decreases. Capsules also stay
+/// nearer to the bodies than to the surfaces nearby, if the budget suffices for that. Bodies that
+/// are all spheres and capsules are kept exactly if they fit into the budget. Gaps can only be
+/// between the samples of the surface. `name` seeds the sampling; without a surface there are no
+/// capsules.
+CapsuleFit fit_capsules(const std::vector<SceneObject>& bodies, const FitOptions& options,
                         const std::string& name);
 
 }  // namespace morphe::cover

@@ -30,48 +30,49 @@ void add_box(const Pose& pose, const Vec3& half, std::vector<Triangle>& out) {
 
 /// Adds a surface of revolution about z through (radius, height) points.
 void add_revolution_surface(const Pose& pose, const std::vector<Eigen::Vector2d>& profile,
-                            std::vector<Triangle>& out) {
+                            int facets, std::vector<Triangle>& out) {
   // Facets are tangent to the circle.
-  const double wider = 1 / std::cos(std::numbers::pi / kFacetsPerCircle);
+  const double wider = 1 / std::cos(std::numbers::pi / facets);
   const auto point = [&](int i, int k) -> Vec3 {
     const Eigen::Vector2d& p = profile[i];
-    const double angle = 2 * std::numbers::pi * k / kFacetsPerCircle;
+    const double angle = 2 * std::numbers::pi * k / facets;
     return pose * Vec3(wider * p.x() * std::cos(angle), wider * p.x() * std::sin(angle), p.y());
   };
   for (int i = 0; i + 1 < std::ssize(profile); ++i) {
-    for (int k = 0; k < kFacetsPerCircle; ++k) {
+    for (int k = 0; k < facets; ++k) {
       add_quad(point(i, k), point(i, k + 1), point(i + 1, k + 1), point(i + 1, k), out);
     }
   }
 }
 
 /// Returns the profile of a sphere whose two halves are `length` apart.
-std::vector<Eigen::Vector2d> sphere_profile(double radius, double length) {
-  const double wider = 1 / std::cos(std::numbers::pi / (2 * kFacetsPerHalfCircle));
+std::vector<Eigen::Vector2d> sphere_profile(double radius, double length, int facets) {
+  const int half_facets = facets / 2;
+  const double wider = 1 / std::cos(std::numbers::pi / (2 * half_facets));
   std::vector<Eigen::Vector2d> profile;
-  for (int k = 0; k <= kFacetsPerHalfCircle; ++k) {
-    const double polar = std::numbers::pi * k / kFacetsPerHalfCircle;
-    const double half = (2 * k < kFacetsPerHalfCircle ? 0.5 : -0.5) * length;
-    if (2 * k == kFacetsPerHalfCircle) profile.emplace_back(wider * radius, 0.5 * length);
+  for (int k = 0; k <= half_facets; ++k) {
+    const double polar = std::numbers::pi * k / half_facets;
+    const double half = (2 * k < half_facets ? 0.5 : -0.5) * length;
+    if (2 * k == half_facets) profile.emplace_back(wider * radius, 0.5 * length);
     profile.emplace_back(wider * radius * std::sin(polar), half + wider * radius * std::cos(polar));
   }
   return profile;
 }
 
-void add(const SceneObject& body, std::vector<Triangle>& out) {
+void add(const SceneObject& body, int facets, std::vector<Triangle>& out) {
   const Pose pose =
       body.position.empty() ? Pose::Identity() : make_pose(body.position[0], body.orientation[0]);
   const auto& size = body.size;
   if (body.shape == Shape::sphere)
-    return add_revolution_surface(pose, sphere_profile(size[0], 0), out);
+    return add_revolution_surface(pose, sphere_profile(size[0], 0, facets), facets, out);
   if (body.shape == Shape::capsule)
-    return add_revolution_surface(pose, sphere_profile(size[0], size[1]), out);
+    return add_revolution_surface(pose, sphere_profile(size[0], size[1], facets), facets, out);
   if (body.shape == Shape::box) return add_box(pose, 0.5 * Vec3(size[0], size[1], size[2]), out);
   if (body.shape == Shape::cylinder) {
     const double radius = size[0], half = 0.5 * size[1];
     const std::vector<Eigen::Vector2d> profile{
         {0, half}, {radius, half}, {radius, -half}, {0, -half}};
-    return add_revolution_surface(pose, profile, out);
+    return add_revolution_surface(pose, profile, facets, out);
   }
   for (const Eigen::Vector3i& t : body.triangles) {
     const auto corner = [&](int k) -> Vec3 { return pose * body.vertices[t[k]]; };
@@ -81,10 +82,29 @@ void add(const SceneObject& body, std::vector<Triangle>& out) {
 
 }  // namespace
 
-std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies) {
+std::vector<Triangle> surface_of(const std::vector<SceneObject>& bodies, int facets) {
   std::vector<Triangle> surface;
-  for (const SceneObject& body : bodies) add(body, surface);
+  for (const SceneObject& body : bodies) add(body, facets, surface);
   return surface;
+}
+
+SceneObject mesh_of(const std::vector<Triangle>& triangles) {
+  SceneObject mesh;
+  mesh.shape = Shape::mesh;
+  mesh.position = {Vec3::Zero()};
+  mesh.orientation = {Quat::Identity()};
+  for (const Triangle& t : triangles) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {t.a, t.b, t.c});
+    mesh.triangles.emplace_back(first, first + 1, first + 2);
+  }
+  return mesh;
+}
+
+double area_of(const std::vector<Triangle>& surface) {
+  double sum = 0;
+  for (const Triangle& t : surface) sum += 0.5 * (t.b - t.a).cross(t.c - t.a).norm();
+  return sum;
 }
 
 std::vector<Vec3> sample_area(const std::vector<Triangle>& surface, int count,
@@ -138,6 +158,37 @@ std::vector<Vec3> outermost_corners(const std::vector<Triangle>& surface) {
   });
   corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
   return corners;
+}
+
+std::vector<Vec3> main_directions(const std::vector<Triangle>& surface) {
+  std::vector<Vec3> sums;  // area times normal, of triangles with about the same normal or opposite
+  for (const Triangle& t : surface) {
+    const Vec3 normal = 0.5 * (t.b - t.a).cross(t.c - t.a);
+    const auto same = std::ranges::find_if(sums, [&](const Vec3& sum) {
+      return std::abs(sum.dot(normal)) > kSameNormalCosine * sum.norm() * normal.norm();
+    });
+    if (same == sums.end())
+      sums.push_back(normal);
+    else
+      *same += same->dot(normal) > 0 ? normal : Vec3(-normal);
+  }
+  std::ranges::stable_sort(sums, std::greater<>(), [](const Vec3& sum) { return sum.norm(); });
+  if (std::ssize(sums) > kMaxMainNormals) sums.resize(kMaxMainNormals);
+  std::vector<Vec3> directions;
+  const auto add = [&](const Vec3& direction) {
+    const auto same = [&](const Vec3& other) {
+      return std::abs(other.dot(direction.normalized())) > kSameNormalCosine;
+    };
+    if (direction.norm() > kMinCross && std::ranges::none_of(directions, same))
+      directions.push_back(direction.normalized());
+  };
+  for (const Vec3& sum : sums) {
+    if (sum.norm() > 0) add(sum.normalized());
+  }
+  const std::size_t normals = directions.size();
+  for (std::size_t i = 0; i < normals; ++i)
+    for (std::size_t k = 0; k < i; ++k) add(directions[i].cross(directions[k]));
+  return directions;
 }
 
 }  // namespace morphe::cover

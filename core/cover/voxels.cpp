@@ -1,6 +1,7 @@
 #include "core/cover/voxels.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/cover/constants.hpp"
@@ -85,7 +86,78 @@ void flood_fill_outside(Voxels& voxels, const std::vector<std::uint8_t>& on_surf
   }
 }
 
+/// Marks the voxels of points on a triangle, of which every other point has one within half a
+/// voxel. Two neighbouring voxels on different sides of the surface are then never both unmarked:
+/// the ball of half a voxel about any point between their centres lies in the two.
+void mark(const Triangle& t, const Voxels& voxels, std::vector<std::uint8_t>& on_surface) {
+  // The longest edge leads from a to b; the points lie in rows perpendicular to it.
+  std::array<Vec3, 3> corner = {t.a, t.b, t.c};
+  const auto length = [&](int k) { return (corner[(k + 1) % 3] - corner[k]).squaredNorm(); };
+  const int longest =
+      length(0) >= length(1) ? (length(0) >= length(2) ? 0 : 2) : (length(1) >= length(2) ? 1 : 2);
+  std::ranges::rotate(corner, corner.begin() + longest);
+  const auto& [a, b, c] = corner;
+  const double spacing_m = kMarkSpacing_cells * voxels.step_m, square = (b - a).squaredNorm();
+  const double foot = square > 0 ? std::clamp((c - a).dot(b - a) / square, 0.0, 1.0) : 0;
+  const int rows = 1 + static_cast<int>((b - a).norm() / spacing_m);
+  for (int row = 0; row <= rows; ++row) {
+    const double share = static_cast<double>(row) / rows;
+    const Vec3 begin = a + share * (b - a);
+    const Vec3 end = share < foot ? Vec3(a + share / foot * (c - a))
+                     : share < 1  ? Vec3(c + (share - foot) / (1 - foot) * (b - c))
+                                  : b;
+    const int steps = 1 + static_cast<int>((end - begin).norm() / spacing_m);
+    for (int step = 0; step <= steps; ++step) {
+      const std::ptrdiff_t cell = voxels.cell_of(begin + (end - begin) * step / steps);
+      if (cell >= 0) on_surface[cell] = 1;
+    }
+  }
+}
+
+/// Calls visit(cell, next) for every voxel and each of its six neighbours.
+template <class Visit>
+void for_each_neighbour(const Voxels& voxels, Visit visit) {
+  const Eigen::Vector3i& n = voxels.count;
+  const std::array<std::ptrdiff_t, 3> stride = {1, n.x(),
+                                                static_cast<std::ptrdiff_t>(n.x()) * n.y()};
+  for (int z = 0; z < n.z(); ++z) {
+    for (int y = 0; y < n.y(); ++y) {
+      for (int x = 0; x < n.x(); ++x) {
+        const std::ptrdiff_t cell = voxels.index(x, y, z);
+        const Eigen::Vector3i at(x, y, z);
+        for (int axis = 0; axis < 3; ++axis) {
+          if (at[axis] > 0) visit(cell, cell - stride[axis]);
+          if (at[axis] + 1 < n[axis]) visit(cell, cell + stride[axis]);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<float> distances_to(const Voxels& voxels, const std::vector<std::uint8_t>& cells) {
+  std::vector<double> squares;
+  squares.reserve(cells.size());
+  for (const std::uint8_t in : cells) squares.push_back(in ? 0 : kInfinity);
+  distance_transform(voxels, squares);
+  std::vector<float> distances;
+  distances.reserve(cells.size());
+  for (const double square : squares)
+    distances.push_back(static_cast<float>(voxels.step_m * std::sqrt(square)));
+  return distances;
+}
+
+std::vector<Vec3> points_inside(const Voxels& voxels) {
+  std::vector<Vec3> inside;
+  for (int z = 0; z < voxels.count.z(); ++z) {
+    for (int y = 0; y < voxels.count.y(); ++y) {
+      for (int x = 0; x < voxels.count.x(); ++x)
+        if (voxels.inside[voxels.index(x, y, z)]) inside.push_back(voxels.centre(x, y, z));
+    }
+  }
+  return inside;
+}
 
 double Voxels::outside_distance(const Vec3& point) const {
   const Vec3 p = (point - origin) / step_m;
@@ -96,31 +168,42 @@ double Voxels::outside_distance(const Vec3& point) const {
   return beyond + (inside[cell_index] ? 0.0 : distance[cell_index]);
 }
 
-Voxels voxels_of(const std::vector<Vec3>& surface, int cells) {
+Voxels voxels_of(const std::vector<Triangle>& surface, int cells, double padding_m) {
   Voxels voxels;
-  Vec3 lowest = surface.front(), highest = lowest;
-  for (const Vec3& point : surface) {
-    lowest = lowest.cwiseMin(point);
-    highest = highest.cwiseMax(point);
+  Vec3 lowest = surface.front().a, highest = lowest;
+  for (const Triangle& t : surface) {
+    for (const Vec3& corner : {t.a, t.b, t.c}) {
+      lowest = lowest.cwiseMin(corner);
+      highest = highest.cwiseMax(corner);
+    }
   }
   voxels.step_m = std::max((highest - lowest).maxCoeff() / cells, kMinStep_m);
+  const int padding =
+      std::max(kPaddingCells, 2 + static_cast<int>(std::ceil(padding_m / voxels.step_m)));
+  voxels.padding_m = padding * voxels.step_m;
   for (int k = 0; k < 3; ++k) {
-    voxels.count[k] =
-        static_cast<int>((highest[k] - lowest[k]) / voxels.step_m) + 1 + 2 * kPaddingCells;
+    voxels.count[k] = static_cast<int>((highest[k] - lowest[k]) / voxels.step_m) + 1 + 2 * padding;
   }
-  voxels.origin = lowest - Vec3::Constant(kPaddingCells * voxels.step_m);
+  voxels.origin = lowest - Vec3::Constant(voxels.padding_m);
   std::vector<std::uint8_t> on_surface(voxels.count.prod(), 0);
-  for (const Vec3& point : surface) {
-    const Eigen::Vector3i voxel = ((point - voxels.origin) / voxels.step_m).cast<int>();
-    on_surface[voxels.index(voxel.x(), voxel.y(), voxel.z())] = 1;
-  }
+  for (const Triangle& t : surface) mark(t, voxels, on_surface);
   flood_fill_outside(voxels, on_surface);
-  std::vector<double> squares;
-  for (const std::uint8_t on : on_surface) squares.push_back(on ? 0 : kInfinity);
-  distance_transform(voxels, squares);
-  for (const double square : squares)
-    voxels.distance.push_back(static_cast<float>(voxels.step_m * std::sqrt(square)));
+  std::vector<std::uint8_t> outer(on_surface.size(), 0);
+  for_each_neighbour(voxels, [&](std::ptrdiff_t cell, std::ptrdiff_t next) {
+    if (on_surface[cell] && !voxels.inside[next]) outer[cell] = 1;
+  });
+  voxels.distance = distances_to(voxels, outer);
   return voxels;
+}
+
+std::vector<std::uint8_t> voxels_nearer_to(const std::vector<Triangle>& other, double clearance_m,
+                                           const Voxels& voxels) {
+  std::vector<std::uint8_t> marked(voxels.inside.size(), 0);
+  for (const Triangle& t : other) mark(t, voxels, marked);
+  const std::vector<float> to_other = distances_to(voxels, marked);
+  for (std::ptrdiff_t cell = 0; cell < std::ssize(marked); ++cell)
+    marked[cell] = !voxels.inside[cell] && to_other[cell] < voxels.distance[cell] + clearance_m;
+  return marked;
 }
 
 }  // namespace morphe::cover

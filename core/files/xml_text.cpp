@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
+#include <string>
 #include <utility>
 
 #include "core/files/printable.hpp"
+#include "core/files/text_encoding.hpp"
 #include "core/motion/input_error.hpp"
 
 namespace morphe::files {
@@ -29,21 +31,26 @@ std::string error_text(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-XmlText::XmlText(const std::filesystem::path& path, const char* root) : file(path) {
+XmlText::XmlText(const std::filesystem::path& path) : file(path) {
   std::ifstream stream(path, std::ios::binary);
-  std::stringstream text;
-  text << stream.rdbuf();
   if (!stream || std::filesystem::is_directory(path))
     throw InputError(fmt::format("{}: cannot be read", path.string()));
-  document.Parse(text.str().c_str());
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (const auto order = utf16_order(text)) text = utf8_from_utf16(text, *order);
+  document.Parse(text.c_str());
   if (document.Error()) {
     throw InputError(fmt::format("{}:{}: not valid XML: {}", path.string(),
                                  std::max(1, document.ErrorLineNum()), error_text(document)));
   }
+  if (!document.RootElement())
+    throw InputError(fmt::format("{}:1: not valid XML: has no element", path.string()));
+}
+
+XmlText::XmlText(const std::filesystem::path& path, const char* root) : XmlText(path) {
   const XmlElement* top = document.RootElement();
-  if (!top || std::strcmp(top->Value(), root) != 0) {
-    throw InputError(fmt::format("{}:{}: must begin with <{}>", path.string(),
-                                 top ? top->GetLineNum() : 1, root));
+  if (std::strcmp(top->Value(), root) != 0) {
+    throw InputError(
+        fmt::format("{}:{}: must begin with <{}>", path.string(), top->GetLineNum(), root));
   }
 }
 

@@ -11,12 +11,15 @@ namespace morphe::files {
 /// An element of an XML document.
 using XmlElement = tinyxml2::XMLElement;
 
-/// A URDF or SRDF as text, which reports errors with their location: "FILE:LINE: KEY: message".
+/// An XML document, which reports errors with their location: "FILE:LINE: KEY: message". It may be
+/// in UTF-8 or UTF-16.
 struct XmlText {
   std::filesystem::path file;
   tinyxml2::XMLDocument document;
 
-  /// Throws InputError if the file cannot be read, is not XML, or has another root element.
+  /// Throws InputError if the file cannot be read or is not XML.
+  explicit XmlText(const std::filesystem::path& path);
+  /// Throws InputError also if the file has another root element.
   XmlText(const std::filesystem::path& path, const char* root);
 
   /// Returns the root element.

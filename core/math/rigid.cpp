@@ -13,6 +13,25 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m) {
   return svd.matrixU() * sign * svd.matrixV().transpose();
 }
 
+namespace {
+
+constexpr double kCollinearTolerance_m = 0.002;
+
+/// Returns true if points with this spread are nearly on a line: its second singular value, s1, is
+/// below the square of the tolerance. It is not if the sum of the principal minors, which is at
+/// most 3 s0 s1, is above 3 times that and the trace; this takes no decomposition.
+bool is_collinear(const Eigen::Matrix3d& spread) {
+  constexpr double kSquare_m2 = kCollinearTolerance_m * kCollinearTolerance_m, kRounding = 1e-12;
+  const double minors = spread(0, 0) * spread(1, 1) - spread(0, 1) * spread(1, 0) +
+                        spread(0, 0) * spread(2, 2) - spread(0, 2) * spread(2, 0) +
+                        spread(1, 1) * spread(2, 2) - spread(1, 2) * spread(2, 1);
+  const double trace = spread.trace();
+  if (minors > 3 * trace * kSquare_m2 + kRounding * trace * trace) return false;
+  return spread.jacobiSvd().singularValues()[1] < kSquare_m2;
+}
+
+}  // namespace
+
 Pose fit_rigid_transform(const std::vector<Vec3>& from, const std::vector<Vec3>& to) {
   assert(from.size() == to.size());
   Vec3 from_mean = Vec3::Zero(), to_mean = Vec3::Zero();
@@ -33,9 +52,7 @@ Pose fit_rigid_transform(const std::vector<Vec3>& from, const std::vector<Vec3>&
     covariance += (to[k] - to_mean) * a.transpose();
     spread += a * a.transpose();
   }
-  constexpr double kCollinearTolerance_m = 0.002;
-  if (spread.jacobiSvd().singularValues()[1] < kCollinearTolerance_m * kCollinearTolerance_m)
-    return unseen_pose();
+  if (is_collinear(spread)) return unseen_pose();
   Pose pose = Pose::Identity();
   pose.linear() = nearest_rotation(covariance);
   pose.translation() = to_mean - pose.linear() * from_mean;

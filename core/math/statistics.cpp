@@ -17,8 +17,7 @@ double value_at_rank(std::vector<double>& values, std::ptrdiff_t rank) {
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return kUnknown;
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  std::ranges::sort(values);
-  return values[std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1];
+  return value_at_rank(values, std::min(values.size(), std::max<std::size_t>(rank, 1)) - 1);
 }
 
 double lower_quantile(std::vector<double> values, double share) {

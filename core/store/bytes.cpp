@@ -36,6 +36,15 @@ std::string serialize(const Layout& layout) {
   return bytes;
 }
 
+template <class T, class Layout>
+T restore(std::string_view bytes, const Layout& layout) {
+  T value;
+  BytesReader io(bytes);
+  layout(io, value);
+  io.expect_end();
+  return value;
+}
+
 }  // namespace
 
 std::string bytes_of(const Plan& plan) {
@@ -65,24 +74,17 @@ std::string bytes_of(const PlanFileHeader& header) {
 }
 
 Plan plan_from_bytes(std::string_view bytes) {
-  Plan plan;
-  BytesReader io(bytes);
-  lay_out_named_plan(io, plan);
-  return plan;
+  return restore<Plan>(bytes, [](BytesReader& io, Plan& plan) { lay_out_named_plan(io, plan); });
 }
 
 RobotModel robot_from_bytes(std::string_view bytes) {
-  RobotModel robot;
-  BytesReader io(bytes);
-  lay_out_robot(io, robot);
-  return robot;
+  return restore<RobotModel>(bytes,
+                             [](BytesReader& io, RobotModel& robot) { lay_out_robot(io, robot); });
 }
 
 PlanFileHeader header_from_bytes(std::string_view bytes) {
-  PlanFileHeader header;
-  BytesReader io(bytes);
-  lay_out_header(io, header);
-  return header;
+  return restore<PlanFileHeader>(
+      bytes, [](BytesReader& io, PlanFileHeader& header) { lay_out_header(io, header); });
 }
 
 }  // namespace morphe::store

@@ -21,11 +21,11 @@ std::string bytes_of(const SceneObject& object);
 /// Serialises the header of a file.
 std::string bytes_of(const PlanFileHeader& header);
 
-/// Restores a plan; throws InputError if the bytes are damaged.
+/// Restores a plan; throws InputError if the bytes are damaged or others follow them.
 Plan plan_from_bytes(std::string_view bytes);
-/// Restores a robot; throws InputError if the bytes are damaged.
+/// Restores a robot; throws InputError likewise.
 RobotModel robot_from_bytes(std::string_view bytes);
-/// Restores a header; throws InputError if the bytes are damaged.
+/// Restores a header; throws InputError likewise.
 PlanFileHeader header_from_bytes(std::string_view bytes);
 
 }  // namespace morphe::store

@@ -110,6 +110,10 @@ class BytesReader : public OptionalItemReader<BytesReader> {
   /// Returns an object that reports errors.
   BytesPlace current_group() const { return {}; }
   bool at_end() const { return bytes_.empty(); }
+  /// Throws InputError unless all bytes were read.
+  void expect_end() const {
+    if (!at_end()) fail_damaged();
+  }
   /// Returns true if the next item has this name.
   bool has_item(std::string_view name) {
     if (at_end()) return false;

@@ -14,7 +14,7 @@ constexpr double kMaxSampleRate_hz = 1e5, kMaxDuration_s = 6 * 3600.0, kMaxTime_
 constexpr double kMaxCoordinate_m = 1e6, kMaxObjectSize_m = 1e4, kMaxBodySegment_m = 3;
 constexpr double kMinQuaternionNorm = 0.5, kMaxQuaternionNorm = 2;
 
-bool is_possible(const Vec3& point) { return point.cwiseAbs().maxCoeff() <= kMaxCoordinate_m; }
+bool is_possible(const Vec3& point) { return (point.array().abs() <= kMaxCoordinate_m).all(); }
 bool is_possible(const Quat& q) {
   const double norm = q.norm();
   return norm >= kMinQuaternionNorm && norm <= kMaxQuaternionNorm;

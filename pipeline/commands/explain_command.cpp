@@ -119,6 +119,11 @@ std::string text_of(const PlanSource& source, const Plan& plan,
                     const std::vector<explain::TriedAdvice>& advice) {
   std::string text =
       explain::step_summary(source.reader.robot(), plan) + planning_time_text(source, plan);
+  if (source.config) {
+    const std::string words =
+        map::standing_text(source.robot, source.config->loaded.options.placement);
+    if (!words.empty()) text += fmt::format("  {:<13} the base {}\n", "placement", words);
+  }
   const char* step = "try";
   for (const explain::TriedAdvice& tried : advice) {
     text += fmt::format("  {:<13} {}\n", step, explain::text_of(tried.advice));

@@ -8,6 +8,7 @@
 #include "core/motion/input_error.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/shared_options.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "stages/export/export_plans.hpp"
 #include "stages/export/joint_group.hpp"
@@ -49,7 +50,7 @@ CommandAction add_export_arguments(CLI::App& app) {
   app.add_option("FILE", arguments->plans, "plans.h5 or the folder of a run")->required();
   app.add_option("--format", options.format, "File format")
       ->required()
-      ->check(CLI::IsMember(exports::export_format_names()));
+      ->check(one_of(exports::export_format_names()));
   app.add_option("--out", arguments->out, "Folder to write the files to")->required();
   app.add_option(
          "--group", options.groups,
@@ -65,7 +66,7 @@ CommandAction add_export_arguments(CLI::App& app) {
   app.add_option("--approach", arguments->approach,
                  "Approach from home and retreat: separate files (apart), joined with the "
                  "trajectory (joined), or none")
-      ->check(CLI::IsMember({"apart", "joined", "none"}));
+      ->check(one_of({"apart", "joined", "none"}));
   app.add_flag("--replace", options.replace, "Replace existing files whose content differs");
   return [arguments] { return execute(*arguments); };
 }

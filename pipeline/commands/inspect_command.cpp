@@ -42,11 +42,11 @@ imports::ImportResult for_each_demonstration(imports::ImportRequest request, con
   const auto is_imported = [](const std::filesystem::path& path) {
     return std::filesystem::is_directory(path) || !is_demonstrations_file(path);
   };
-  const auto first_read = std::ranges::stable_partition(request.paths, is_imported);
-  if (first_read.size() == request.paths.size())
-    expect_no_import_options(request, request.paths.front());
-  for (const std::filesystem::path& file : first_read) read_demonstrations(file, sink);
-  request.paths.erase(first_read.begin(), first_read.end());
+  std::vector<std::filesystem::path>& paths = request.paths;
+  const auto first_read = std::stable_partition(paths.begin(), paths.end(), is_imported);
+  if (first_read == paths.begin()) expect_no_import_options(request, paths.front());
+  for (auto file = first_read; file != paths.end(); ++file) read_demonstrations(*file, sink);
+  paths.erase(first_read, paths.end());
   return request.paths.empty() ? imports::ImportResult{}
                                : imports::import_recordings(request, sink);
 }

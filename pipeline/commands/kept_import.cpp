@@ -58,8 +58,9 @@ std::optional<KeptImport> read_kept_import(const fs::path& file, const std::stri
 void write_kept_import(const fs::path& file, const KeptImport& kept) {
   const nlohmann::json json{
       {"key", kept.key}, {"failed", kept.failed}, {"text", kept.text}, {"manifest", kept.manifest}};
-  using Json = nlohmann::json;
-  files::write_atomically(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  const std::string text =
+      json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  files::write_atomically(file, text);
 }
 
 }  // namespace morphe::commands

@@ -26,9 +26,10 @@ CommandAction add_list_arguments(CLI::App& app) {
     check_selection(arguments->choice);
     const store::PlanReader plans(find_plans_file(arguments->file));
     const robot::Robot robot(plans.robot());
+    const explain::AdviceContext context = explain::advice_context(plans.header().config);
     std::vector<PlanRow> rows;
     for (std::size_t k = 0; k < plans.size(); ++k) {
-      PlanRow row = row_of(robot, plans.read(k));
+      PlanRow row = row_of(robot, plans.read(k), context);
       if (is_selected(arguments->choice, row)) rows.push_back(std::move(row));
     }
     sort_rows(arguments->choice, rows);

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct PlaceArguments {
-  std::string config, dataset, out, reach_map, mount = "any", fix;
+  std::string config, dataset, out, reach_map, mount, fix;
   std::vector<std::string> settings;
   place::PlaceOptions options;
   double tilt_deg = 0;
@@ -69,20 +69,23 @@ place::FixedCoordinates parse_fix_option(const std::string& list) {
   return fixed;
 }
 
-place::PlaceOptions options_of(const PlaceArguments& arguments, std::uint64_t seed) {
+place::PlaceOptions options_of(const PlaceArguments& arguments,
+                               const planning::LoadedConfig& config) {
   place::PlaceOptions options = arguments.options;
-  options.seed = seed;
+  options.seed = config.options.seed;
+  options.standing = robot::standing_of(config.robot);
   options.jobs = threads_of(arguments.jobs);
   options.fixed = parse_fix_option(arguments.fix);
-  options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
+  if (!arguments.mount.empty())
+    options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
   options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
   if (const std::string error = validation_error(options); !error.empty())
     throw InputError("place: " + error);
   const bool is_any = options.mount == place::MountDirection::any;
   const bool turns = !options.fixed.rotation;
   expect_effect(arguments.tilt_deg == 0 || (turns && !is_any), "--tilt",
-                turns ? "with any direction of the base; give --mount" : "with --fix rotation");
-  expect_effect(is_any || turns, "--mount", "with --fix rotation");
+                turns ? "with --mount any" : "with --fix rotation");
+  expect_effect(arguments.mount.empty() || turns, "--mount", "with --fix rotation");
   return options;
 }
 
@@ -109,7 +112,7 @@ int execute(const PlaceArguments& arguments) {
   for (const std::string& out : {arguments.out, arguments.reach_map})
     files::expect_not_input(out, arguments.config);
   const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
-  const place::PlaceOptions options = options_of(arguments, config.options.seed);
+  const place::PlaceOptions options = options_of(arguments, config);
   const planning::PlanningInputs planner{config.options, config.robot};
   const std::vector<place::TrialMovement> trials =
       place::make_trials(planner, read_dataset(arguments, config), options);
@@ -127,13 +130,14 @@ int execute(const PlaceArguments& arguments) {
                                 planner, trials, placements.front(), options, report)));
   status.clear();
   if (arguments.json) {
-    fmt::print("{}\n", place_json(configured, placements));
+    fmt::print("{}\n", place_json(options.standing, configured, placements));
     return 0;
   }
-  fmt::print("{}\n{}\n", place_table_head(), place_row("configured", configured));
+  fmt::print("{}\n{}\n", place_table_head(), place_row("configured", options.standing, configured));
   for (std::size_t k = 0; k < placements.size(); ++k)
-    fmt::print("{}\n", place_row(std::to_string(k + 1), placements[k]));
-  fmt::print("\n{}", placement_yaml(placements.front().placement));
+    fmt::print("{}\n", place_row(std::to_string(k + 1), options.standing, placements[k]));
+  fmt::print("\n{}{}", placement_yaml(placements.front().placement),
+             place_notes(options, configured, placements));
   if (!arguments.out.empty() && !(arguments.settings.empty() && arguments.dataset.empty()))
     fmt::print("note: {} does not contain --set and --dataset; pass them to run, too\n",
                arguments.out);
@@ -152,10 +156,12 @@ CommandAction add_place_arguments(CLI::App& app) {
                  "Config to write (YAML); it extends CONFIG with the best placement");
   app.add_option("--reach-map", arguments->reach_map,
                  "SVG file for a reachability map around the best placement");
-  app.add_option("--mount", arguments->mount,
-                 "Direction of the base's z axis: any, floor (up), ceiling (down), wall "
-                 "(horizontal), side (left or right)")
-      ->check(CLI::IsMember({"any", "floor", "ceiling", "wall", "side"}));
+  app.add_option(
+         "--mount", arguments->mount,
+         "Direction of the base's z axis: floor (up, the default; a robot with a body also "
+         "faces the person's way), ceiling (down), wall (horizontal), side (left or right), "
+         "any")
+      ->check(one_of({"any", "floor", "ceiling", "wall", "side"}));
   app.add_option("--tilt", arguments->tilt_deg, "Largest tilt from that direction, degrees");
   app.add_option(
       "--fix", arguments->fix,

@@ -45,13 +45,14 @@ std::string reach_line(const Plan& plan) {
       in_mm(mean_mm(unreachable)), in_mm(mean_mm(nearest)), in_mm(mean_mm(plan.mapped.tip_error)));
 }
 
-std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan) {
+std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan,
+                                  const explain::AdviceContext& context) {
   std::vector<std::string> lines;
   if (!plan.has_trajectory()) {
     const bool has_reason = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
     lines.push_back(has_reason ? plan.detail
                                : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
-    for (const explain::Advice& advice : explain::advice_for(robot, plan))
+    for (const explain::Advice& advice : explain::advice_for(robot, plan, context))
       lines.push_back("try: " + explain::text_of(advice));
   } else if (!plan.detail.empty()) {
     lines.push_back("note: " + plan.detail);
@@ -97,14 +98,14 @@ constexpr std::array<FigureColumn, 10> kColumns{{{"mapped_tip_error", "mapped", 
 
 }  // namespace
 
-PlanRow row_of(const robot::Robot& robot, const Plan& plan) {
+PlanRow row_of(const robot::Robot& robot, const Plan& plan, const explain::AdviceContext& context) {
   PlanRow row;
   row.name = fmt::format("{}/{:03}", plan.demonstration, plan.movement.index);
   row.status = plan.executable() && plan.repaired ? "repaired" : name_of(plan.status());
   row.reason = name_of(plan.reason);
   row.figures = figures_of(robot, plan);
   row.arm_estimated = is_arm_estimated(plan.goals);
-  row.lines = lines_of(robot, plan);
+  row.lines = lines_of(robot, plan, context);
   row.world = plan.reference_frames;
   row.remarks = scene_remarks(plan);
   return row;

@@ -6,6 +6,7 @@
 
 #include "core/robot/robot.hpp"
 #include "pipeline/commands/plan_figures.hpp"
+#include "pipeline/explain/advice.hpp"
 
 namespace morphe::commands {
 
@@ -23,8 +24,9 @@ struct PlanRow {
   /// Returns true for executable plans, including repaired ones.
   bool executable() const { return status == name_of(Status::executable) || status == "repaired"; }
 };
-/// Computes the row of a plan.
-PlanRow row_of(const robot::Robot& robot, const Plan& plan);
+/// Computes the row of a plan. `context` is that of the config of its run, for advice.
+PlanRow row_of(const robot::Robot& robot, const Plan& plan,
+               const explain::AdviceContext& context = {});
 
 /// Converts a row to one line of JSON, as the journal of a run stores it.
 std::string row_to_json(const PlanRow& row);

@@ -3,16 +3,22 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include "core/files/atomic_file.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
+#include "core/robot/files/urdf_joints.hpp"
+#include "pipeline/commands/setup_inputs.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/commands/text_table.hpp"
 #include "pipeline/describe/robot_svg.hpp"
 #include "pipeline/describe/robot_text.hpp"
+#include "pipeline/run/status_line.hpp"
 #include "pipeline/setup/setup.hpp"
 
 namespace morphe::commands {
@@ -21,15 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SetupArguments {
-  std::vector<std::string> inputs, packages;
-  std::string out, name, hand;
+  std::vector<std::string> inputs, packages, limits;
+  std::string out, name, hand, arm, elbow;
   std::vector<double> mount;
   int capsules = 0;
 };
-
-bool is_urdf(const fs::path& file) {
-  return file.extension() == ".urdf" || file.extension() == ".xml";
-}
 
 std::optional<std::string> text_of(const fs::path& file) {
   if (!fs::exists(file)) return std::nullopt;
@@ -48,17 +50,69 @@ setup::PackagePaths package_paths_of(const std::vector<std::string>& packages) {
   return paths;
 }
 
+/// The sentences that one call of setup has printed: what holds for a part holds for the whole.
+struct PrintedSentences {
+  std::set<std::string> known;
+
+  void print(const char* kind, const std::string& sentence) {
+    if (known.insert(sentence).second) fmt::print("{}: {}\n", kind, sentence);
+  }
+};
+
+std::string derived_text(const std::vector<setup::DerivedFrame>& derived) {
+  TextTable table;
+  table.columns = {{"frame", "", true}, {"link", "", true}, {"x", "mm"},
+                   {"y", "mm"},         {"z", "mm"},        {"certainty", "", true}};
+  for (const setup::DerivedFrame& frame : derived) {
+    TextTable::Row& row = table.rows.emplace_back();
+    row.cells = {frame.name, frame.link};
+    for (const double x : frame.position) {
+      const bool zero = std::abs(x) < 5e-5;  // avoids -0.0
+      row.cells.push_back(fmt::format("{:.1f}", zero ? 0 : 1e3 * x));
+    }
+    row.cells.push_back(frame.certainty);
+  }
+  return derived.empty() ? "" : table_text(table, terminal_width());
+}
+
+/// Reads the numbers of "LOWER..UPPER".
+std::optional<std::array<double, 2>> range_of(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) return std::nullopt;
+  const std::vector<double> lower = robot::numbers_of(text.substr(0, dots)),
+                            upper = robot::numbers_of(text.substr(dots + 2));
+  if (lower.size() != 1 || upper.size() != 1 || lower[0] > upper[0]) return std::nullopt;
+  return std::array{lower[0], upper[0]};
+}
+
+robot::GivenLimits limits_of(const std::vector<std::string>& texts) {
+  robot::GivenLimits limits;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.rfind('=');
+    const auto range = equals == std::string::npos || equals == 0
+                           ? std::nullopt
+                           : range_of(text.substr(equals + 1));
+    if (!range)
+      throw InputError(fmt::format(
+          "--limit {}: must be JOINT=LOWER..UPPER in rad (or m), like a4=-2.27..2.27", text));
+    limits[text.substr(0, equals)] = *range;
+  }
+  return limits;
+}
+
 /// Writes a description and its picture, and prints the properties to be checked.
-void write_description(const setup::SetupResult& result, const fs::path& out) {
+void write_description(const setup::SetupResult& result, const fs::path& out,
+                       PrintedSentences& printed) {
   files::write_atomically(out, result.text);
   const robot::RobotDescription robot = robot::load_robot(out);
   fs::path picture = out;
   picture.replace_extension(".svg");
   files::write_atomically(picture, describe::robot_svg(robot.table, result.points));
-  for (const std::string& note : result.notes) fmt::print("note: {}\n", note);
+  fmt::print("{}", derived_text(result.derived));
+  for (const std::string& note : result.notes) printed.print("note", note);
   for (const std::string& remark : describe::plausibility_notes(robot))
-    fmt::print("note: {}\n", remark);
-  for (const std::string& check : result.to_check) fmt::print("check: {}\n", check);
+    printed.print("note", remark);
+  for (const std::string& check : result.to_check) printed.print("check", check);
   fmt::print("{}: {}, {}, {}; {}\n", out.string(), count_with_noun(robot.table.joints(), "joint"),
              count_with_noun(robot.table.tips.size(), "tip"),
              count_with_noun(robot.table.capsules.size(), "capsule"), picture.string());
@@ -70,39 +124,51 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
   request.urdf = urdf;
   request.out = out;
   request.hand = arguments.hand;
+  request.arm = arguments.arm;
+  request.elbow = arguments.elbow;
   request.package_paths = package_paths_of(arguments.packages);
+  request.limits = limits_of(arguments.limits);
   if (arguments.capsules > 0) {
     setup::CapsuleBudget& budget = request.budget;
-    budget.arm = budget.wrist = budget.palm = budget.finger = arguments.capsules;
+    budget.arm = budget.wrist = budget.palm = budget.finger = budget.near = arguments.capsules;
   }
   return request;
 }
 
-int execute(const SetupArguments& arguments) {
-  if (arguments.inputs.size() > 2) throw InputError("robot setup: needs an arm, a hand, or both");
-  const fs::path out = arguments.out;
-  for (const std::string& input : arguments.inputs) files::expect_not_input(out, input);
-  std::vector<fs::path> descriptions;
-  for (const std::string& input : arguments.inputs) {
-    const bool alone = arguments.inputs.size() == 1;
-    if (!is_urdf(input)) {
-      if (alone) throw InputError(fmt::format("{}: is not a URDF", input));
-      descriptions.emplace_back(input);
-      continue;
-    }
-    const fs::path file =
-        alone ? out : fs::absolute(out).parent_path() / (fs::path(input).stem().string() + ".yaml");
-    setup::SetupRequest request = request_for(arguments, input, file);
-    if (alone) request.name = arguments.name;
-    if (!alone) request.hand.clear();
-    write_description(setup::make_description(request, text_of(file)), file);
-    descriptions.push_back(file);
+/// Makes the description of a URDF or MJCF, with progress on a terminal.
+void describe_input(const SetupArguments& arguments, const SetupInput& input, bool alone,
+                    PrintedSentences& printed) {
+  const fs::path urdf = urdf_of_input(input);
+  setup::SetupRequest request = request_for(arguments, urdf, input.description);
+  if (alone) request.name = arguments.name;
+  if (!alone) request.hand.clear();
+  setup::SetupResult result;
+  {
+    run::StatusLine status;
+    request.progress = [&](const std::string& step) {
+      status.show(fmt::format("{}: {}", input.file.filename().string(), step));
+    };
+    result = setup::make_description(request, text_of(input.description));
   }
-  if (descriptions.size() < 2) return 0;
-  setup::MountRequest request{descriptions[0], descriptions[1], out, arguments.name, {}};
+  write_description(result, input.description, printed);
+}
+
+int execute(const SetupArguments& arguments) {
+  const fs::path out = arguments.out;
+  const std::vector<SetupInput> inputs =
+      check_setup_inputs(arguments.inputs, out, package_paths_of(arguments.packages).packages,
+                         limits_of(arguments.limits));
+  PrintedSentences printed;
+  for (const SetupInput& input : inputs) {
+    if (input.kind != robot::RobotFile::description)
+      describe_input(arguments, input, inputs.size() == 1, printed);
+  }
+  if (inputs.size() < 2) return 0;
+  setup::MountRequest request{
+      inputs[0].description, inputs[1].description, out, arguments.name, {}};
   const auto& m = arguments.mount;
   if (!m.empty()) request.mount = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}};
-  write_description(setup::mount_hand(request, text_of(out)), out);
+  write_description(setup::mount_hand(request, text_of(out)), out, printed);
   return 0;
 }
 
@@ -110,11 +176,14 @@ int execute(const SetupArguments& arguments) {
 
 CommandAction add_robot_setup(CLI::App& robot) {
   CLI::App& app = *robot.add_subcommand(
-      "setup", "Create a robot description from a URDF, or from those of an arm and a hand");
+      "setup",
+      "Create a robot description from a URDF or MJCF, or from those of an arm and a hand");
   app.footer("Examples:\n  morphe robot setup outputs/robot.urdf --out outputs/new_robot.yaml\n");
   const auto arguments = std::make_shared<SetupArguments>();
-  add_input_option(app, "URDF", arguments->inputs,
-                   "URDF of an arm, a hand, or both in this order (robot descriptions work, too)")
+  add_input_option(
+      app, "URDF", arguments->inputs,
+      "URDF or MJCF of an arm, a hand, or both in this order (robot descriptions work, "
+      "too); an MJCF is converted to a URDF next to the description")
       ->required();
   app.add_option("--out", arguments->out,
                  "Description to write (YAML); a drawing (SVG) is written next to it")
@@ -124,7 +193,12 @@ CommandAction add_robot_setup(CLI::App& robot) {
                  "X Y Z ROLL PITCH YAW: the hand's base on the arm's flange (m, rad)")
       ->expected(6);
   app.add_option("--hand", arguments->hand, "Link from which the fingers branch");
+  app.add_option("--arm", arguments->arm, "Link at the end of the arm, of a robot with several");
+  app.add_option("--elbow", arguments->elbow, "Joint of the elbow, if it cannot be derived");
   app.add_option("--package", arguments->packages, "NAME=DIR: folder of package://NAME")
+      ->allow_extra_args(false);
+  app.add_option("--limit", arguments->limits,
+                 "JOINT=LOWER..UPPER: limits of position that replace the URDF's (rad or m)")
       ->allow_extra_args(false);
   app.add_option("--capsules", arguments->capsules, "Maximum number of capsules per link")
       ->check(CLI::Range(1, 1000));
@@ -132,14 +206,15 @@ CommandAction add_robot_setup(CLI::App& robot) {
 }
 
 robot::RobotDescription read_robot(const fs::path& file) {
-  if (!is_urdf(file)) return robot::load_robot(file);
+  const robot::RobotFile kind =
+      fs::is_regular_file(file) ? robot::robot_file_kind(file) : robot::RobotFile::description;
+  if (kind != robot::RobotFile::urdf) return robot::load_robot(file);
   setup::SetupRequest request;
   request.urdf = file;
   request.out = file.parent_path() / (file.stem().string() + ".yaml");
   const setup::SetupResult result = setup::make_description(request, std::nullopt);
   robot::RobotDescription robot = robot::parse_robot(result.text, request.out);
   robot.notes.insert(robot.notes.end(), result.notes.begin(), result.notes.end());
-  for (const std::string& check : result.to_check) robot.notes.push_back("check " + check);
   return robot;
 }
 

@@ -88,6 +88,12 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   return runs;
 }
 
+/// Returns how the base stands, as the end of a sentence; "" for a hand without an arm.
+std::string base_words(const robot::Robot& robot, const map::PlacementOptions& placement) {
+  const std::string words = map::standing_text(robot, placement);
+  return words.empty() ? "" : ": the base " + words;
+}
+
 /// Prints the summary and, unless --quiet is given, the plans (of more than kMaxPrintedRows only
 /// filtered or sorted ones), the positions of the reference frames, and remarks.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
@@ -111,8 +117,9 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
     if (!choice.filters.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
   }
-  fmt::print("{}: {} of {} fingertip goals are out of reach with this placement\n", robot.name,
-             one.summary.out_of_reach, one.summary.goals);
+  fmt::print("{}: {} of {} fingertip goals are out of reach with this placement{}\n", robot.name,
+             one.summary.out_of_reach, one.summary.goals,
+             base_words(robot, one.config.loaded.options.placement));
   if (const std::string unchecked = unchecked_sentence(robot.unchecked_links); !unchecked.empty())
     fmt::print("{}: {}\n", robot.name, unchecked);
   if (const std::string speed = run::speed_text(one.summary); !speed.empty())
@@ -153,7 +160,8 @@ int plan_all(const RunArguments& arguments, const run::Shard& shard, RunDatasetF
   request.plan = [&](const Demonstration& demonstration) {
     return planning::plan_demonstration(planner, demonstration);
   };
-  request.rows = [&](const Plan& plan) { return row_to_json(row_of(robot, plan)); };
+  const explain::AdviceContext context = explain::advice_context(planner.config);
+  request.rows = [&](const Plan& plan) { return row_to_json(row_of(robot, plan, context)); };
   request.publish = [&] { dataset.publish(); };
   run::Progress progress(verbosity_of(arguments));
   const run::RunResult result = run::run_dataset(one.folder->journal(), request, progress);

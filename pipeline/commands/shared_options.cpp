@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "core/config/spelling_hint.hpp"
 #include "core/files/data_files.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/import/folders/given_options.hpp"
@@ -19,6 +20,16 @@ CLI::Validator input_file() {
             return std::string();
           },
           ""};
+}
+
+CLI::Validator one_of(const std::vector<std::string>& names) {
+  const auto check = [names](const std::string& value) -> std::string {
+    if (std::ranges::find(names, value) != names.end()) return "";
+    return fmt::format("must be {} or {}, not '{}'{}",
+                       fmt::join(names.begin(), names.end() - 1, ", "), names.back(), value,
+                       config::spelling_hint(value, names));
+  };
+  return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
 }
 
 void add_jobs_option(CLI::App& app, int& jobs) {
@@ -67,7 +78,7 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
                    "Recording of the static trial (default: found among the recordings)");
   app.add_option("--format", request.format,
                  "Format of the recordings (default: recognised from their content)")
-      ->check(CLI::IsMember(imports::import_format_names()));
+      ->check(one_of(imports::import_format_names()));
   add_input_option(app, "--names", request.name_map,
                    "YAML file that maps the names in the recording to Morphe's names");
   app.add_option("--axes", request.conventions.axes,
@@ -79,7 +90,7 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
            request.forward_given = true;
          },
          "Forward direction: where the body faces (body, the default), or as recorded (recorded)")
-      ->check(CLI::IsMember({"body", "recorded"}));
+      ->check(one_of({"body", "recorded"}));
   app.add_option("--unit", request.conventions.unit,
                  "Unit of lengths: m, cm, mm, in, ft or metres per unit");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
@@ -93,7 +104,7 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
          },
          "Reaching hand: right, left or both (one demonstration per hand; default: determined from "
          "the motion)")
-      ->check(CLI::IsMember({"right", "left", "both"}));
+      ->check(one_of({"right", "left", "both"}));
 }
 
 }  // namespace morphe::commands

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "pipeline/commands/plan_row.hpp"
 #include "stages/import/import.hpp"
@@ -18,6 +19,10 @@ template <class Value>
 CLI::Option* add_input_option(CLI::App& app, const char* name, Value& value, const char* help) {
   return app.add_option(name, value, help)->transform(input_file());
 }
+
+/// Returns a check that a value is one of `names`; the message says what a renamed or misspelt one
+/// is called.
+CLI::Validator one_of(const std::vector<std::string>& names);
 
 /// Adds --jobs N; 0 (the default) means one thread per core.
 void add_jobs_option(CLI::App& app, int& jobs);

@@ -143,7 +143,7 @@ CommandAction add_simulate_arguments(CLI::App& app) {
   app.add_option(
          "--load-directions", arguments->load_directions,
          "Rollouts in which the weight is also applied in six directions: none, first, every")
-      ->check(CLI::IsMember({"none", "first", "every"}));
+      ->check(one_of({"none", "first", "every"}));
   app.add_option("--friction", options.friction,
                  "Friction coefficient between fingers and target (default: 0.8)");
   app.add_option("--torsional-friction", options.torsional_friction_m,
@@ -160,7 +160,7 @@ CommandAction add_simulate_arguments(CLI::App& app) {
   app.add_option("--contacts", arguments->contacts,
                  "planned: contacts and grasp force of the plan, if it has them; nearest: nearest "
                  "points of the fingers with goals")
-      ->check(CLI::IsMember({"planned", "nearest"}));
+      ->check(one_of({"planned", "nearest"}));
   app.add_option("--thumb-force", options.force_N,
                  "Force of the thumb for nearest contacts, N (default: 8)");
   app.add_option("--hand-stiffness", options.hand_stiffness,
@@ -175,7 +175,7 @@ CommandAction add_simulate_arguments(CLI::App& app) {
                  "Density of the robot's capsules, kg/m^3 (default: 1000)");
   app.add_option("--time-step", options.step_s, "Time step of the simulation, s (default: 0.002)");
   app.add_option("--integrator", arguments->integrator, "Integrator: implicit or euler")
-      ->check(CLI::IsMember({"implicit", "euler"}));
+      ->check(one_of({"implicit", "euler"}));
   app.add_option("--seed", options.seed, "Random seed of the variations (default: 1)");
   app.add_option(
          "--only", arguments->choice.filters,

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "core/motion/human_motion.hpp"
+#include "core/robot/opening.hpp"
+#include "core/robot/standing.hpp"
 
 namespace morphe::describe {
 namespace {
@@ -83,6 +85,17 @@ std::string frame_lines(const RobotModel& robot, std::size_t width) {
   return text;
 }
 
+/// Returns how a robot with a body stands; "" for all others, whose base may have any direction.
+std::string standing_line(const RobotModel& robot) {
+  const robot::Standing standing = robot::standing_of(robot);
+  if (!standing.has_body()) return "";
+  return fmt::format(
+      "stands upright on its body ({}): up is ({:.0f} {:.0f} {:.0f}), forward ({:.2f} {:.2f} "
+      "{:.2f}) in the base frame\n\n",
+      standing.evidence, standing.up.x(), standing.up.y(), standing.up.z(), standing.forward.x(),
+      standing.forward.y(), standing.forward.z());
+}
+
 std::string tip_lines(const RobotModel& robot, std::size_t width) {
   std::string text =
       fmt::format("\n{:{}}  {:{}}  {:>8}  finger\n", "tip", width, "frame", width, "reach m");
@@ -90,6 +103,8 @@ std::string tip_lines(const RobotModel& robot, std::size_t width) {
     text +=
         fmt::format("{:{}}  {:{}}  {:8.3f}  {}\n", tip.name, width, frame_name(robot, tip.frame),
                     width, stretched_reach(robot, tip), finger_of(tip));
+  if (const double opening_m = robot::widest_opening(robot); !std::isnan(opening_m))
+    text += fmt::format("thumb and index open to {:.1f} mm between their tips\n", 1e3 * opening_m);
   text += fmt::format("\n{:{}}  chain\n", "centre", width);
   for (const RobotModel::JointCentre& centre : robot.joint_centres)
     text += fmt::format("{:{}}  {}\n", frame_name(robot, centre.frame), width, centre.chain);
@@ -107,10 +122,12 @@ std::string robot_text(const robot::RobotDescription& description) {
       robot.name, robot.joints(), coupled_frames(robot).size(), robot.tips.size(),
       robot.capsules.size(), frame_name(robot, robot.shoulder_frame),
       frame_name(robot, robot.palm_frame), reach_of(robot));
+  text += standing_line(robot);
   text += joint_lines(robot, width) + frame_lines(robot, width) + tip_lines(robot, width);
   const std::vector<std::string> notes = plausibility_notes(description);
-  if (!notes.empty()) text += "\n";
+  if (!notes.empty() || !description.checks.empty()) text += "\n";
   for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
+  for (const std::string& check : description.checks) text += fmt::format("check: {}\n", check);
   return text;
 }
 
@@ -154,8 +171,10 @@ std::string robot_json(const robot::RobotDescription& description) {
                      {"frames", frames},
                      {"tips", tips},
                      {"joint_centres", centres},
+                     {"opening_m", robot::widest_opening(robot)},
                      {"capsules", robot.capsules.size()},
-                     {"notes", plausibility_notes(description)}};
+                     {"notes", plausibility_notes(description)},
+                     {"checks", description.checks}};
   return json.dump(2);
 }
 

@@ -8,14 +8,23 @@
 #include <map>
 #include <string_view>
 
+#include "core/config/fields.hpp"
 #include "core/motion/goal_interpolation.hpp"
+#include "core/motion/input_error.hpp"
 #include "pipeline/explain/path_violations.hpp"
+#include "pipeline/explain/reasons.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
 
 namespace morphe::explain {
 namespace {
 
 constexpr double kSmoothingAllowance_m = 3e-4;  ///< error added by smoothing and certificate
 constexpr double kReplanAllowanceShare = 0.05;  ///< of the error, because a new plan differs
+constexpr double kAdvisedBaseOffset_m = 0.1;    ///< chosen by hand: about a palm's breadth
+/// Factors on the effort of the run, chosen by hand so that a plan takes minutes, not hours.
+constexpr int kMoreAttempts = 2, kMoreIterations = 7;
+constexpr int kMoreStarts = 4, kMoreCandidates = 2, kMoreSearches = 3;
+constexpr double kCurveToleranceFactor = 1.5;  ///< chosen by hand: smoothing adds less
 
 /// Returns the tolerance for an error and both allowances, rounded up to half a millimetre.
 double tolerance_for(double error_m) {
@@ -100,103 +109,120 @@ void add_relaxed(const Plan& plan, const PathViolations& violations, std::vector
   advice.push_back(std::move(accept));
 }
 
-std::string reach_sentence(const Plan& plan) {
+std::string reach_sentence(const Plan& plan, const AdviceContext& context) {
   const GoalCount count = count_goals(plan.goals);
   const std::string goals =
       count.out_of_reach == 0
           ? ""
           : fmt::format("{} of {} fingertip goals are out of reach from this base position; ",
                         count.out_of_reach, count.all);
-  return goals +
-         "the base may move by up to 100 mm, separately for each movement (`morphe place` "
-         "searches for one position for all)";
+  return goals + "the base may move by up to 100 mm, separately for each movement" +
+         (context.placed_by_search ? "" : " (`morphe place` searches for one position for all)");
 }
 
+/// Adds the advice to search with more effort than the config does.
+void add_search(const Plan& plan, const PathViolations& violations, const AdviceContext& context,
+                std::vector<Advice>& advice) {
+  const auto solve = [&](std::vector<std::string> settings, std::string sentence) {
+    advice.push_back({AdviceKind::may_solve, std::move(settings), std::move(sentence)});
+  };
+  const Dependence& depends_on = explanation_of(plan.reason).depends_on;
+  const bool misses_goals = violations.grasp_tip_error || violations.other_tip_error;
+  const bool collides_at_end =
+      plan.reason == Reason::goal_in_collision || plan.reason == Reason::start_in_collision;
+  if (depends_on.base && (misses_goals || collides_at_end) &&
+      context.base_offset_limit_m < kAdvisedBaseOffset_m)
+    solve({fmt::format("map.base_offset.limit={}", kAdvisedBaseOffset_m)},
+          reach_sentence(plan, context));
+  if (!depends_on.search) return;  // more effort does not help at an infeasible frame
+  if (depends_on.distance && !violations.contacts.empty())
+    solve({fmt::format("repair.attempts={}", kMoreAttempts * context.repair_attempts),
+           fmt::format("repair.max_iterations={}", kMoreIterations * context.repair_iterations)},
+          "more attempts and iterations to plan a detour");
+  if (!violations.empty())
+    solve({fmt::format("map.starts={}", kMoreStarts * context.map_starts),
+           fmt::format("map.candidates={}", kMoreCandidates * context.map_candidates),
+           fmt::format("repair.mapping_searches={}", kMoreSearches * context.mapping_searches)},
+          "four times as much search for postures that reach the goals");
+}
+
+/// Adds larger tolerances for a plan whose path keeps them, but not the curve through it.
+void add_curve_tolerance(const Plan& plan, const PathViolations& violations,
+                         std::vector<Advice>& advice) {
+  if (plan.reason != Reason::tracking || !violations.empty()) return;
+  const Tolerances& now = plan.tolerances;
+  advice.push_back(
+      {AdviceKind::relaxes_tolerance,
+       {fmt::format("check.tracking_tolerance_grasp={:.4f}",
+                    kCurveToleranceFactor * now.tracking_tolerance_grasp),
+        fmt::format("check.tracking_tolerance={:.4f}",
+                    kCurveToleranceFactor * now.tracking_tolerance)},
+       "the path keeps the tolerances, the curve that can be executed does not; half as much again "
+       "is allowed"});
+}
+
+/// Adds the advice of the reason itself.
 void add_for_reason(const Plan& plan, std::vector<Advice>& advice) {
-  const auto change = [&](const char* sentence) {
-    advice.push_back({AdviceKind::changes_input, {}, sentence});
-  };
-  const auto relax = [&](std::vector<std::string> settings, const char* sentence) {
-    advice.push_back({AdviceKind::relaxes_tolerance, std::move(settings), sentence});
-  };
-  switch (plan.reason) {
-    case Reason::no_movement:
-      change(
-          "the recording must contain a complete reach, from rest to rest; `morphe inspect` shows "
-          "what was found in it");
-      return relax({"segment.whole_recording=true"}, "the whole recording becomes one movement");
-    case Reason::no_shoulder:
-      return change(
-          "the shoulder must be seen at least once: record markers or sensors of shoulder, elbow "
-          "and wrist");
-    case Reason::implausible_arm:
-      change(
-          "use `morphe inspect` to check the axes (`axes`, `forward`), the chosen hand, and "
-          "whether names of left and right are swapped");
-      return relax({"human.max_limit_violation_m=1"},
-                   "the reconstructed arm is followed although it exceeds human joint limits");
-    case Reason::doubtful_recording:
-      for (const RecordingFlag& flag : plan.flags) {
-        if (flag.text != plan.detail) continue;
-        const std::string accept = fmt::format(
-            "correct the recording or, if it is right, accept the flag in its manifest: `accept: "
-            "[{}]`",
-            name_of(flag.code));
-        return change(accept.c_str());
-      }
-      return;
-    case Reason::no_goal:
-      return change(
-          "at least one fingertip must be seen during the grasp, and the movement must have at "
-          "least five frames");
-    case Reason::joint_limit:
-      return change(
-          "correct the joint's limits, or move the base so that the joint stays within them");
-    case Reason::duration_too_short:
-      return relax({"retime.mode=fastest", "retime.duration_s=null"},
-                   "the shortest duration that the limits allow");
-    case Reason::smoothing_collision:
-      return change("move the base or the obstacles: a path farther from them has been tried");
-    case Reason::no_approach:
-    case Reason::no_retreat:
-      change("choose another home posture (`approach.home`)");
-      return relax({"approach=null"},
-                   "plans no approach and retreat; the movement itself was planned");
-    case Reason::no_reference_frame:
-      return change("give the object another `relative_to`, or set `scene.table.height`");
-    case Reason::rejected:
-      return change("report it, with the recording and the config");
-    default:
-      return;
+  for (const RecordingFlag& flag : plan.flags) {
+    if (plan.reason != Reason::doubtful_recording || flag.text != plan.detail) continue;
+    advice.push_back({AdviceKind::changes_input,
+                      {},
+                      fmt::format("correct the recording or, if it is right, accept the flag in "
+                                  "its manifest: `accept: [{}]`",
+                                  name_of(flag.code))});
+    return;
   }
+  for (const FixedAdvice& fixed : explanation_of(plan.reason).advice) {
+    if (fixed.sentence.empty()) continue;
+    Advice& one = advice.emplace_back(Advice{fixed.kind, {}, std::string(fixed.sentence)});
+    for (const std::string_view setting : fixed.settings)
+      if (!setting.empty()) one.settings.emplace_back(setting);
+  }
+}
+
+/// Returns the advice for a plan whose numbers give none.
+Advice general_advice(const AdviceContext& context) {
+  return {AdviceKind::changes_input,
+          {},
+          context.placed_by_search
+              ? "use a robot with a longer reach or a thinner hand, or change the scene: the base "
+                "stands at the best position that a search found"
+              : "move the base: `morphe place` searches for a position"};
 }
 
 }  // namespace
 
-std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan) {
+AdviceContext advice_context(const planning::PipelineConfig& config) {
+  return {config.placement.found_by.has_value(),
+          config.map.base_offset.limit_m,
+          config.map.starts,
+          config.map.candidates,
+          config.repair.mapping_searches,
+          config.repair.attempts,
+          config.repair.max_iterations};
+}
+
+AdviceContext advice_context(const std::string& stored_config) {
+  try {
+    planning::PipelineConfig config;
+    config::read_options(config::ConfigNode::parse(stored_config, "@config"), config);
+    return advice_context(config);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan,
+                               const AdviceContext& context) {
   std::vector<Advice> advice;
-  const auto solve = [&](std::vector<std::string> settings, std::string sentence) {
-    advice.push_back({AdviceKind::may_solve, std::move(settings), std::move(sentence)});
-  };
   if (plan.path.position.rows() > 0) {
     const PathViolations violations = find_path_violations(robot, plan);
-    const bool goal_collides = plan.reason == Reason::goal_in_collision;
-    if (violations.grasp_tip_error || violations.other_tip_error || goal_collides ||
-        plan.reason == Reason::start_in_collision)
-      solve({"map.base_offset.limit=0.1"}, reach_sentence(plan));
-    if (!violations.contacts.empty())
-      solve({"repair.attempts=6", "repair.max_iterations=20000"},
-            "more attempts and iterations to plan a detour");
-    // more effort does not help at an infeasible frame
-    if (!violations.empty() && !goal_collides && plan.reason != Reason::unreachable)
-      solve({"map.starts=96", "map.candidates=8", "repair.mapping_searches=8"},
-            "four times as much search for postures that reach the goals");
+    add_search(plan, violations, context, advice);
     add_relaxed(plan, violations, advice);
+    add_curve_tolerance(plan, violations, advice);
   }
   add_for_reason(plan, advice);
-  if (advice.empty())
-    advice.push_back(
-        {AdviceKind::changes_input, {}, "move the base: `morphe place` searches for a position"});
+  if (advice.empty()) advice.push_back(general_advice(context));
   return advice;
 }
 

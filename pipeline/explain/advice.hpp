@@ -7,6 +7,12 @@
 
 #include "core/motion/plan.hpp"
 #include "core/robot/robot.hpp"
+#include "stages/map/map_options.hpp"
+#include "stages/repair/repair_options.hpp"
+
+namespace morphe::planning {
+struct PipelineConfig;
+}
 
 namespace morphe::explain {
 
@@ -27,8 +33,23 @@ struct Advice {
   std::string sentence;               ///< the reason, with the numbers of the plan
 };
 
+/// The values of a run's config on which advice depends: it asks for more than they are.
+struct AdviceContext {
+  bool placed_by_search = false;   ///< `morphe place` found the placement: it is not advised again
+  double base_offset_limit_m = 0;  ///< map.base_offset.limit
+  int map_starts = map::MapOptions{}.starts, map_candidates = map::MapOptions{}.candidates;
+  int mapping_searches = repair::RepairOptions{}.mapping_searches;
+  int repair_attempts = repair::RepairOptions{}.attempts;
+  int repair_iterations = repair::RepairOptions{}.max_iterations;
+};
+/// Returns the context of a config.
+AdviceContext advice_context(const planning::PipelineConfig& config);
+/// Returns the context of the config in a plans.h5; the default one if this version cannot read it.
+AdviceContext advice_context(const std::string& stored_config);
+
 /// Returns at least one advice for an infeasible plan, those that may solve it first.
-std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan);
+std::vector<Advice> advice_for(const robot::Robot& robot, const Plan& plan,
+                               const AdviceContext& context = {});
 
 /// Returns the sentence, after "may solve it: --set map.starts=96 …: " if there are settings.
 std::string text_of(const Advice& advice);

@@ -8,6 +8,7 @@
 
 #include "pipeline/explain/base_shift.hpp"
 #include "pipeline/explain/oversized_target.hpp"
+#include "pipeline/explain/reasons.hpp"
 #include "pipeline/explain/replan.hpp"
 
 namespace morphe::explain {
@@ -48,28 +49,21 @@ void add_advice(const OversizedTarget& oversized, const std::string& target,
           "grasp");
 }
 
-bool is_about_contact(Reason reason) {
-  return reason == Reason::goal_in_collision || reason == Reason::start_in_collision ||
-         reason == Reason::no_path || reason == Reason::tracking || reason == Reason::unreachable;
-}
-
-bool may_depend_on_base(Reason reason) {
-  return is_about_contact(reason) || reason == Reason::jump || reason == Reason::joint_limit;
-}
-
 }  // namespace
 
 std::vector<TriedAdvice> collect_advice(const robot::Robot& robot, const Plan& plan,
                                         const planning::RunConfig* config,
                                         const Demonstration* demonstration) {
   std::vector<TriedAdvice> all;
-  if (config && may_depend_on_base(plan.reason)) {
+  const Dependence& depends_on = explanation_of(plan.reason).depends_on;
+  const AdviceContext context = config ? advice_context(config->loaded.options) : AdviceContext{};
+  if (config && depends_on.base) {
     const planning::PipelineConfig& options = config->loaded.options;
     if (const auto shift = find_base_shift(robot, options, plan, kMaxBaseShift_m))
       all.push_back({advice_of(*shift, options.placement.shoulder_offset), {}});
   }
-  for (Advice& advice : advice_for(robot, plan)) all.push_back({std::move(advice), {}});
-  if (config && is_about_contact(plan.reason)) {
+  for (Advice& advice : advice_for(robot, plan, context)) all.push_back({std::move(advice), {}});
+  if (config && depends_on.distance) {
     if (const auto oversized = find_oversized_target(robot, plan, config->loaded.options.scene))
       add_advice(*oversized, plan.movement.target, all);
   }

@@ -11,7 +11,7 @@
 #include "core/motion/finding_text.hpp"
 #include "core/motion/flag_text.hpp"
 #include "core/motion/goal_interpolation.hpp"
-#include "pipeline/explain/reason_sentence.hpp"
+#include "pipeline/explain/reasons.hpp"
 #include "pipeline/planning/palm_error.hpp"
 #include "stages/repair/repair_strategy.hpp"
 
@@ -176,7 +176,7 @@ std::string step_summary(const RobotModel& robot, const Plan& plan) {
   std::string text =
       fmt::format("{}/{:03}: {}", plan.demonstration, plan.movement.index, name_of(plan.status()));
   if (!plan.has_trajectory())
-    text += fmt::format(", {}. {}", name_of(plan.reason), reason_sentence(plan.reason));
+    text += fmt::format(", {}. {}", name_of(plan.reason), explanation_of(plan.reason).sentence);
   text += "\n";
   if (!plan.detail.empty()) text += line("", plan.detail);
   text += flag_lines(plan.flags);

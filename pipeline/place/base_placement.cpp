@@ -62,6 +62,28 @@ Vec3 sample_base_axis(const PlaceOptions& options, math::RandomStream& random) {
   return sample_spherical_cap(Vec3::UnitZ(), -1, random);
 }
 
+/// Returns true if the robot has a direction to which it faces, which must be the person's.
+bool must_face_forward(const PlaceOptions& options) {
+  return options.mount == MountDirection::floor && options.standing.has_body();
+}
+
+/// Returns the angle from the person's forward direction to that of the robot, to the right.
+double facing_angle(const PlaceOptions& options, const Quat& world_from_base) {
+  const Vec3 forward = world_from_base * options.standing.forward;
+  return std::atan2(forward.x(), forward.y());
+}
+
+Quat turned_about_vertical(double angle_rad, const Quat& rotation) {
+  return (Quat(Eigen::AngleAxisd(angle_rad, Vec3::UnitZ())) * rotation).normalized();
+}
+
+/// Turns the base about the vertical by as little as possible until it faces the person's way.
+Quat face_forward(const PlaceOptions& options, const Quat& world_from_base) {
+  const double angle = facing_angle(options, world_from_base);
+  const double allowed = std::clamp(angle, -kMaxFacingAngle_rad, kMaxFacingAngle_rad);
+  return turned_about_vertical(angle - allowed, world_from_base);
+}
+
 }  // namespace
 
 BasePlacement base_placement_of(const map::PlacementOptions& placement) {
@@ -86,6 +108,7 @@ map::PlacementOptions placement_of(const BasePlacement& pose) {
   turn("x", x);
   for (int k = 0; k < 3; ++k)
     placement.shoulder_offset[k] = std::round(pose.shoulder_offset[k] * 1e3) / 1e3;
+  placement.found_by = map::PlacementFinder::place;
   return placement;
 }
 
@@ -101,14 +124,17 @@ BasePlacement project_to_constraints(const BasePlacement& pose, const BasePlacem
     allowed.world_from_base = configured.world_from_base;
     return allowed;
   }
-  const Vec3 up = pose.up(), direction = mount_axis(options.mount, up);
+  const Vec3 up = pose.up(options.standing.up), direction = mount_axis(options.mount, up);
   if (!is_known(direction)) return allowed;
   const double tilt = std::atan2(direction.cross(up).norm(), direction.dot(up));
-  if (tilt <= options.max_tilt_rad) return allowed;
-  Vec3 axis = up.cross(direction);
-  axis = axis.norm() > 1e-9 ? axis.normalized() : up.unitOrthogonal();
-  const Quat upright(Eigen::AngleAxisd(tilt - options.max_tilt_rad, axis));
-  allowed.world_from_base = (upright * pose.world_from_base).normalized();
+  if (tilt > options.max_tilt_rad) {
+    Vec3 axis = up.cross(direction);
+    axis = axis.norm() > 1e-9 ? axis.normalized() : up.unitOrthogonal();
+    const Quat upright(Eigen::AngleAxisd(tilt - options.max_tilt_rad, axis));
+    allowed.world_from_base = (upright * pose.world_from_base).normalized();
+  }
+  if (must_face_forward(options))
+    allowed.world_from_base = face_forward(options, allowed.world_from_base);
   return allowed;
 }
 
@@ -117,8 +143,16 @@ BasePlacement random_base_placement(const BasePlacement& configured, const Place
   BasePlacement pose;
   const Vec3 up = sample_base_axis(options, random);
   const double turn_rad = random.uniform(0, 2 * std::numbers::pi);
+  const Quat vertical_from_base =
+      math::shortest_rotation(options.standing.up, Vec3::UnitZ()).normalized();
   pose.world_from_base =
-      (rotation_from_vertical(up) * Quat(Eigen::AngleAxisd(turn_rad, Vec3::UnitZ()))).normalized();
+      (rotation_from_vertical(up) * turned_about_vertical(turn_rad, vertical_from_base))
+          .normalized();
+  if (must_face_forward(options)) {
+    const double allowed = kMaxFacingAngle_rad * (turn_rad / std::numbers::pi - 1);
+    pose.world_from_base = turned_about_vertical(
+        facing_angle(options, pose.world_from_base) - allowed, pose.world_from_base);
+  }
   for (int k = 0; k < 3; ++k)
     pose.shoulder_offset[k] = random.uniform(kMinShoulderOffset_m[k], kMaxShoulderOffset_m[k]);
   return project_to_constraints(pose, configured, options);

@@ -11,8 +11,8 @@ struct BasePlacement {
   Quat world_from_base = Quat::Identity();
   Vec3 shoulder_offset = Vec3::Zero();  ///< robot's shoulder from the human's, in world axes [m]
 
-  /// Returns the z axis of the base.
-  Vec3 up() const { return world_from_base * Vec3::UnitZ(); }
+  /// Returns a direction of the base in the world, its z axis unless another is given.
+  Vec3 up(const Vec3& in_base = Vec3::UnitZ()) const { return world_from_base * in_base; }
 };
 
 /// Returns the pose that a placement of the config describes.
@@ -22,7 +22,8 @@ BasePlacement base_placement_of(const map::PlacementOptions& placement);
 map::PlacementOptions placement_of(const BasePlacement& pose);
 
 /// Returns the pose moved into the box of the search and turned as little as possible until its
-/// axis is within max_tilt_rad of the mount's direction. Fixed coordinates become the configured.
+/// axis is within max_tilt_rad of the mount's direction, and until a standing robot with a body
+/// faces the person's way. Fixed coordinates become the configured.
 BasePlacement project_to_constraints(const BasePlacement& pose, const BasePlacement& configured,
                                      const PlaceOptions& options);
 

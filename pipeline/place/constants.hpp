@@ -10,6 +10,9 @@ namespace morphe::place {
 inline const Vec3 kMinShoulderOffset_m(-0.6, -0.8, -0.6), kMaxShoulderOffset_m(0.6, 0.4, 0.6);
 inline constexpr double kHalfShoulderBreadth_m = 0.2;  ///< half of a man's breadth
 inline constexpr double kTableClearance_m = 0.005;     ///< least height of the base above the table
+/// Largest angle between the directions to which person and standing robot face, chosen by hand: at
+/// twice as much a torso stands sideways to the table.
+inline constexpr double kMaxFacingAngle_rad = 30 * kRadPerDegree;
 
 // Reachability of the random poses: number of sampled postures, and cells of the grid.
 inline constexpr int kPostureCount = 30000, kDistanceCells = 40, kAngleCells = 18;

@@ -138,8 +138,7 @@ std::vector<PlacementResult> find_placements(const planning::PlanningInputs& pla
     results.back().search_measures = c.measures;
     report("planned", ++planned, count);
   }
-  std::ranges::stable_sort(
-      results, {}, [](const PlacementResult& r) { return cost_of(r.plan_summary.measures); });
+  std::ranges::stable_sort(results, {}, plan_cost);
   return results;
 }
 

@@ -10,14 +10,17 @@ namespace morphe::place {
 
 /// The results of full plans over all movements.
 struct PlannedSummary {
-  /// Means over the movements of the measures of their mapped frames, except:
+  /// Means over the mapped movements of the measures of their mapped frames, except:
   ///   out_of_reach     share of goals that the plans find out of reach
-  ///   collision_share  share of plans without a trajectory
+  ///   collision_share  share of all movements without a trajectory
   ///   upper_arm_error  that of the trajectory, if there is one
   ///   speed_ratio      the trajectory's duration ratio, if there is one
-  /// Movements that were not mapped count as 0 except in collision_share.
+  /// If no movement was mapped, they are those of movements that miss every goal by the most.
   PlacementMeasures measures;
   int movements = 0, executable = 0;
+  /// A sentence for each movement that fails before it is mapped, which no placement changes:
+  /// "ADL001/000 (no_goal: no fingertip was seen in the grasp)". These count as failed.
+  std::vector<std::string> failed_before_mapping;
   double upper_arm_error_median = 0, upper_arm_error_max = 0;  ///< of the movements' means [rad]
   double tip_error_max_m = kUnknown;                           ///< over plans with a trajectory
 };
@@ -47,6 +50,9 @@ std::vector<PlacementResult> find_placements(const planning::PlanningInputs& pla
                                              const std::vector<TrialMovement>& trials,
                                              const PlaceOptions& options,
                                              const ProgressCallback& report);
+
+/// Returns the cost of a placement's plans.
+double plan_cost(const PlacementResult& placed);
 
 /// Plans every trial in full with one placement, on `jobs` threads.
 PlacementResult plan_with_placement(const planning::PlanningInputs& planner,

@@ -5,11 +5,14 @@
 #include <string>
 #include <string_view>
 
+#include "core/robot/standing.hpp"
+
 namespace morphe::place {
 
-/// The allowed directions of the base's z axis. World: X to the person's right, Y forward, Z up.
+/// The allowed directions of the axis of the base that is up if the robot stands (z unless its legs
+/// tell another). World: X to the person's right, Y forward, Z up.
 ///   any      any direction
-///   floor    up
+///   floor    up; a robot with a body also faces the person's way
 ///   ceiling  down
 ///   wall     horizontal, in any direction
 ///   side     horizontal, to the person's right or left
@@ -26,8 +29,9 @@ struct FixedCoordinates {
 
 /// The constraints and the effort of `morphe place`.
 struct PlaceOptions {
-  MountDirection mount = MountDirection::any;
-  double max_tilt_rad = 0;  ///< largest angle of the axis to the allowed direction
+  MountDirection mount = MountDirection::floor;
+  robot::Standing standing;  ///< of the robot, by standing_of()
+  double max_tilt_rad = 0;   ///< largest angle of the axis to the allowed direction
   FixedCoordinates fixed;
   double person_clearance_m = 0.15;  ///< of the base from the vertical line through the person
   int samples = 16000;               ///< number of poses drawn, of which reachability is evaluated

@@ -46,6 +46,15 @@ struct TriedPosture {
     for (const Finding& finding : findings) sum += finding.excess_m();
     return sum;
   }
+  /// Returns the worst finding for which `counts` is true, or null.
+  template <class Counts>
+  const Finding* worst(const Counts& counts) const {
+    const Finding* worst = nullptr;
+    for (const Finding& finding : findings) {
+      if (counts(finding) && (!worst || finding.excess_m() > worst->excess_m())) worst = &finding;
+    }
+    return worst;
+  }
 };
 
 /// Checks postures in one frame of the movement.
@@ -59,9 +68,40 @@ struct FrameCheck {
   }
 };
 
-bool tracks_goals(const std::vector<Finding>& findings) {
-  return std::ranges::none_of(findings,
-                              [](const Finding& f) { return f.cause == Cause::tracking; });
+const Finding* tip_error(const TriedPosture& posture) {
+  return posture.worst([](const Finding& f) { return f.cause == Cause::tracking; });
+}
+const Finding* other_fault(const TriedPosture& posture) {
+  return posture.worst([](const Finding& f) { return f.cause != Cause::tracking; });
+}
+
+/// Returns the posture with the least summed excess of those for which `allowed` is true, or null.
+template <class Allowed>
+const TriedPosture* best_of(const std::vector<TriedPosture>& tried, const Allowed& allowed) {
+  const TriedPosture* best = nullptr;
+  for (const TriedPosture& posture : tried) {
+    if (allowed(posture) && (!best || posture.excess_sum_m() < best->excess_sum_m()))
+      best = &posture;
+  }
+  return best;
+}
+
+/// Decides the reason by all postures that were tried, none of which is free of findings, and keeps
+/// the findings that show it.
+InfeasibleFrame infeasible_frame(double time_s, const std::vector<TriedPosture>& tried) {
+  InfeasibleFrame frame{Reason::unreachable, time_s, static_cast<int>(tried.size()), {}, {}};
+  const auto meets_goals = [](const TriedPosture& posture) { return !tip_error(posture); };
+  const auto is_clear = [](const TriedPosture& posture) { return !other_fault(posture); };
+  if (const TriedPosture* const meeting = best_of(tried, meets_goals)) {
+    frame.reason = Reason::goal_in_collision;
+    frame.worst_finding = *other_fault(*meeting);
+    if (const TriedPosture* const clear = best_of(tried, is_clear))
+      frame.tip_error_if_clear = *tip_error(*clear);
+    return frame;
+  }
+  frame.worst_finding = *tip_error(*std::ranges::min_element(
+      tried, {}, [](const TriedPosture& posture) { return tip_error(posture)->excess_m(); }));
+  return frame;
 }
 
 }  // namespace
@@ -113,19 +153,32 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
     }
     const TriedPosture& nearest = *std::ranges::min_element(tried, {}, &TriedPosture::excess_sum_m);
     if (nearest.excess_sum_m() < kNearlyFeasibleDepth_m) continue;
-    InfeasibleFrame fault{Reason::unreachable, problem.time[frame], static_cast<int>(tried.size()),
-                          *std::ranges::max_element(nearest.findings, {}, &Finding::excess_m)};
     for (const solve::Minimum& start :
          map::search_frame(no_clearance_problem, frame, options.starts, options.candidates,
                            map::quick_stages(options.frame_solver),
                            math::seed_from(seed, "dead end alone", frame), scratch)) {
       const JointVector q =
           map::solve_frame(tips_only_problem, frame, start.x, options.frame_solver, scratch).x;
-      if (tracks_goals(frame_check.findings(q))) fault.reason = Reason::goal_in_collision;
+      tried.push_back({q, frame_check.findings(q)});
+      if (found()) break;
     }
-    return fault;
+    if (!found()) return infeasible_frame(problem.time[frame], tried);
+    postures.push_back({frame, tried.back().q});
   }
   return std::nullopt;
+}
+
+std::string detail_of(const InfeasibleFrame& frame) {
+  if (frame.reason == Reason::unreachable)
+    return fmt::format("at {:.2f} s the best of {} postures, with or without obstacles, leaves {}",
+                       frame.time_s, frame.posture_count, excess_text(frame.worst_finding));
+  std::string detail =
+      fmt::format("at {:.2f} s, of {} postures, the best that reaches the goals has {}",
+                  frame.time_s, frame.posture_count, excess_text(frame.worst_finding));
+  if (frame.tip_error_if_clear)
+    detail += fmt::format("; the best without a collision leaves {}",
+                          excess_text(*frame.tip_error_if_clear));
+  return detail;
 }
 
 repair::StrategyResult stop_if_infeasible(const map::MappingProblem& problem,
@@ -136,10 +189,7 @@ repair::StrategyResult stop_if_infeasible(const map::MappingProblem& problem,
   const std::optional<InfeasibleFrame> fault =
       find_infeasible_frame(problem, best, check, options, seed, postures);
   if (!fault) return {best, {}, false, "no infeasible frame found"};
-  const std::string detail =
-      fmt::format("at {:.2f} s the best of {} postures leaves {}", fault->time_s,
-                  fault->posture_count, excess_text(fault->worst_finding));
-  return {best, {fault->reason, detail}, true};
+  return {best, {fault->reason, detail_of(*fault)}, true};
 }
 
 }  // namespace morphe::planning

@@ -22,7 +22,12 @@ struct InfeasibleFrame {
   Reason reason = Reason::unreachable;
   double time_s = 0;      ///< demonstration time
   int posture_count = 0;  ///< number of postures that were evaluated
-  Finding worst_finding;  ///< of the posture with the least summed excess
+  /// The worst collision of the best posture that meets the goals, or for `unreachable` the largest
+  /// tip error of the posture that comes nearest to the goals.
+  Finding worst_finding;
+  /// The largest tip error of the best posture that does not collide; empty for `unreachable`, and
+  /// if every posture collides.
+  std::optional<Finding> tip_error_if_clear;
 };
 
 /// Searches for feasible postures at the middle, begin and end of each finding of a path, the worst
@@ -39,6 +44,10 @@ std::optional<InfeasibleFrame> find_infeasible_frame(const map::MappingProblem& 
                                                      const map::MapOptions& options,
                                                      std::uint64_t seed,
                                                      std::vector<FeasiblePosture>& postures);
+
+/// Returns why no path can pass the frame, with its finding, in a sentence that agrees with the
+/// reason.
+std::string detail_of(const InfeasibleFrame& frame);
 
 /// Returns `best`; as a failure that no strategy can mend if find_infeasible_frame() finds one.
 repair::StrategyResult stop_if_infeasible(const map::MappingProblem& problem,

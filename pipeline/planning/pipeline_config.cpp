@@ -126,6 +126,14 @@ void add_custom_terms(const config::ConfigNode& node,
                                                unknown, known.empty() ? "none" : known));
 }
 
+/// Returns true if a setting changes the placement, so that no search has found it as it is.
+bool changes_placement(const std::vector<std::string>& settings) {
+  return std::ranges::any_of(settings, [](const std::string& setting) {
+    return setting.starts_with("placement.rotation") ||
+           setting.starts_with("placement.shoulder_offset");
+  });
+}
+
 using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
 
 /// Loads the options of a config that was read from `files`, and the files that it names.
@@ -145,6 +153,7 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   }
   LoadedConfig loaded;
   config::read_document(node, loaded.options);
+  if (changes_placement(settings)) loaded.options.placement.found_by.reset();
   add_custom_terms(node, terms, loaded.options.map);
 
   const robot::RobotDescription robot =

@@ -264,11 +264,10 @@ PipelineConfig farther_from_obstacles(PipelineConfig config) {
   return config;
 }
 
-}  // namespace
-
-Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
-                   const HumanMotion& recorded, const Movement& movement,
-                   const std::optional<Vec3>& known_offset) {
+/// Plans a movement as configured, or else farther from the obstacles.
+Plan plan_or_plan_farther(const PlanningInputs& planner, const Demonstration& demonstration,
+                          const HumanMotion& recorded, const Movement& movement,
+                          const std::optional<Vec3>& known_offset) {
   Plan plan = plan_as_configured(planner, demonstration, recorded, movement, known_offset);
   if (plan.reason != Reason::smoothing_collision) return plan;
   const PipelineConfig config = farther_from_obstacles(planner.config);
@@ -285,6 +284,17 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
       config.map.clearance.activation_distance_m, config.repair.extra_clearance, plan.detail);
   second.detail += (second.detail.empty() ? "" : "; ") + note;
   return second;
+}
+
+}  // namespace
+
+Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
+                   const HumanMotion& recorded, const Movement& movement,
+                   const std::optional<Vec3>& known_offset) {
+  Plan plan = plan_or_plan_farther(planner, demonstration, recorded, movement, known_offset);
+  const std::string opening = opening_warning(planner.robot, plan.goals);
+  if (!opening.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + opening;
+  return plan;
 }
 
 }  // namespace morphe::planning

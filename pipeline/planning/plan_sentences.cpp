@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/collision/mesh_solid.hpp"
 #include "core/motion/arm_estimate.hpp"
+#include "core/robot/opening.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -72,6 +74,27 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   sentences.insert(sentences.end(), motion.reconstruction_notes.begin(),
                    motion.reconstruction_notes.end());
   return join_sentences(sentences);
+}
+
+std::string opening_warning(const RobotModel& robot, const Goals& goals) {
+  constexpr double kNoticed_m = 0.001;
+  std::array<std::ptrdiff_t, 2> tips = {-1, -1};
+  for (std::ptrdiff_t tip = 0; tip < std::ssize(robot.tips); ++tip)
+    if (const int finger = robot.tips[tip].finger; finger == 0 || finger == 1) tips[finger] = tip;
+  if (tips[0] < 0 || tips[1] < 0 || goals.tip_position.cols < robot.tips.size()) return "";
+  double asked_m = 0;
+  for (std::size_t f = 0; f < goals.frames(); ++f) {
+    const double apart_m = (goals.tip_position(f, tips[0]) - goals.tip_position(f, tips[1])).norm();
+    if (apart_m > asked_m) asked_m = apart_m;  // false where a goal is unknown
+  }
+  if (asked_m == 0) return "";
+  const double widest_m = robot::widest_opening(robot, asked_m);
+  if (asked_m <= widest_m + kNoticed_m) return "";
+  return fmt::format(
+      "thumb and index open {:.0f} mm in the recording, the robot's no more than {:.0f} mm "
+      "(between "
+      "the tips)",
+      1e3 * asked_m, 1e3 * widest_m);
 }
 
 std::string grasp_force_warning(const Grasp& grasp) {

@@ -21,6 +21,10 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
                      const Movement& movement, const HumanMotion& motion,
                      const Trajectory& trajectory, bool with_delay);
 
+/// Returns a warning with both figures if the goals of thumb and index are farther from each other
+/// than the robot's tips can be, or "".
+std::string opening_warning(const RobotModel& robot, const Goals& goals);
+
 /// Returns a warning if no contact forces of an evaluated grasp are in balance, or "".
 std::string grasp_force_warning(const Grasp& grasp);
 

@@ -47,6 +47,15 @@ RepairStrategy chain(std::string name, std::vector<RepairStrategy> strategies) {
 
 }  // namespace
 
+RepairStrategy re_solve_closely(const ReSolveContext& context) {
+  return chain(
+      "re-solve, close to the goals",
+      {re_solve_strategy(context, "clearance weight x 10, activation distance x 0.2", {10, 0.2}),
+       re_solve_strategy(context, "clearance weight x 100, activation distance x 0.2", {100, 0.2}),
+       re_solve_strategy(context, "clearance weight x 1000, activation distance x 0.2",
+                         {1000, 0.2})});
+}
+
 RepairStrategy re_solve_mildly(const ReSolveContext& context) {
   return chain("re-solve, low clearance weights",
                {re_solve_strategy(context, "clearance weight x 10", {10}),

@@ -13,6 +13,11 @@ struct ReSolveContext {
   repair::PathCheck check;
 };
 
+/// Returns the strategy for a hand alone, whose fingers are near each other most of the time: with
+/// 10, 100 and 1000 times the weight of clearance, but at a fifth of the distance, so that fingers
+/// which are clear of each other keep their goals.
+repair::RepairStrategy re_solve_closely(const ReSolveContext& context);
+
 /// Returns the strategy that changes the mapping least: while the path collides, it is solved again
 /// near its findings in the whole scene, with 10 and then 100 times the weight of clearance.
 repair::RepairStrategy re_solve_mildly(const ReSolveContext& context);

@@ -83,6 +83,9 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
             searched_candidates(whole, config.map, config.repair.mapping_searches, seed), tried),
     };
   }
+  const bool hand_alone = world.robot->arm_joints.empty();
+  if (hand_alone && config.repair.method == repair::Method::humanlike)
+    strategies.insert(strategies.begin(), re_solve_closely(re_solving));
   Outcome<repair::RepairResult> repaired = repair::repair_path(strategies, mapped_path);
   if (repaired.failure.reason == Reason::no_path) {
     repaired.failure.detail += "; " + repair::no_path_message(config.repair);

@@ -44,6 +44,7 @@ std::vector<OpenedRun> open_runs(const ReportRequest& request) {
     run.reader = std::make_unique<store::PlanReader>(requested.plans);
     run.robot = robot::Robot(run.reader->robot());
     run.world_from_base = world_from_base(run.reader->header().config, run.robot);
+    run.advice = explain::advice_context(run.reader->header().config);
     run.selected = select_plans(*run.reader, request.selection);
   }
   const std::string& pattern = request.selection.pattern;

@@ -5,6 +5,7 @@
 
 #include "core/robot/robot.hpp"
 #include "core/store/plan_file.hpp"
+#include "pipeline/explain/advice.hpp"
 #include "pipeline/report/report.hpp"
 
 namespace morphe::report {
@@ -15,6 +16,7 @@ struct OpenedRun {
   std::unique_ptr<store::PlanReader> reader;
   robot::Robot robot;
   std::optional<Eigen::Matrix3d> world_from_base;  ///< rotation; empty if unknown
+  explain::AdviceContext advice;                   ///< of the config in the file
   SelectedPlans selected;
 };
 /// Opens all runs of a request and selects their plans. Throws InputError for a file that cannot be

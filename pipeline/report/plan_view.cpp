@@ -56,7 +56,8 @@ Vec3 without_common_offset(const Goals& goals, const Vec3& in_common_base) {
 }
 
 PlanView make_plan_view(const robot::Robot& robot,
-                        const std::optional<Eigen::Matrix3d>& world_from_base, const Plan& plan) {
+                        const std::optional<Eigen::Matrix3d>& world_from_base, const Plan& plan,
+                        const explain::AdviceContext& context) {
   PlanView view;
   view.upright = world_from_base.has_value();
   if (world_from_base) view.world_from_base.linear() = *world_from_base;
@@ -66,7 +67,7 @@ PlanView make_plan_view(const robot::Robot& robot,
   view.human_speed = human_speed_of(plan.goals);
   if (!plan.has_trajectory()) {
     view.worst = worst_instant(robot, plan, view.motions);
-    for (const explain::Advice& advice : explain::advice_for(robot, plan))
+    for (const explain::Advice& advice : explain::advice_for(robot, plan, context))
       view.advice.push_back(explain::text_of(advice));
   }
   return view;

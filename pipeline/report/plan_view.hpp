@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/explain/advice.hpp"
 #include "pipeline/report/display_motion.hpp"
 #include "pipeline/report/worst_instant.hpp"
 
@@ -21,9 +22,11 @@ struct PlanView {
   std::vector<std::string> advice;     ///< for an infeasible plan
 };
 
-/// Computes the displayed data of a plan. `world_from_base` is OpenedRun::world_from_base.
+/// Computes the displayed data of a plan. `world_from_base` and `context` are those of the
+/// OpenedRun.
 PlanView make_plan_view(const robot::Robot& robot,
-                        const std::optional<Eigen::Matrix3d>& world_from_base, const Plan& plan);
+                        const std::optional<Eigen::Matrix3d>& world_from_base, const Plan& plan,
+                        const explain::AdviceContext& context = {});
 
 /// Returns the human's point for a goal of the arm, by removing the common base offset.
 Vec3 without_common_offset(const Goals& goals, const Vec3& in_common_base);

@@ -111,7 +111,7 @@ std::string load_into(const Visual& visual, int frame, FoundMeshes& found) {
     return fmt::format("{}: not found in the folder of meshes", visual.mesh_name);
   SceneObject surface;
   const std::string error = collision::load_raw_mesh(visual.file, surface);
-  if (!error.empty()) return fmt::format("{}: {}", visual.file.string(), error);
+  if (!error.empty()) return error;
   FrameMesh mesh;
   mesh.frame = frame;
   for (const Vec3& corner : surface.vertices)

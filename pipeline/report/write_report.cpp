@@ -11,7 +11,7 @@
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
 #include "core/parallel/ordered_parallel_map.hpp"
-#include "pipeline/explain/reason_sentence.hpp"
+#include "pipeline/explain/reasons.hpp"
 #include "pipeline/report/json_text.hpp"
 #include "pipeline/report/opened_run.hpp"
 #include "pipeline/report/page_files.hpp"
@@ -144,7 +144,7 @@ std::vector<NamedBlock> blocks_of(const OpenedRun& run, const std::string& id, c
   std::vector<NamedBlock> blocks = object_blocks(plan.scene);
   std::vector<std::string> ids;
   for (const NamedBlock& block : blocks) ids.push_back(block.id);
-  const PlanView view = make_plan_view(run.robot, run.world_from_base, plan);
+  const PlanView view = make_plan_view(run.robot, run.world_from_base, plan, run.advice);
   blocks.push_back({id, plan_block(run.robot, plan, view, ids).to_base64()});
   return blocks;
 }
@@ -192,7 +192,7 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
                  {"hz", kDisplayRate_hz}};
   for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
     const auto reason = static_cast<Reason>(k);
-    report["reasons"][std::string(name_of(reason))] = explain::reason_sentence(reason);
+    report["reasons"][std::string(name_of(reason))] = explain::explanation_of(reason).sentence;
   }
   report["runs"] = Json::array();
   std::vector<NamedBlock> robot_blocks;

@@ -35,9 +35,9 @@ bool is_same_file(const std::filesystem::path& file, int descriptor) {
 
 FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".lock") {
   constexpr int kMaxLockAttempts = 1000;
+  std::error_code not_created;
   for (int i = 0; i < kMaxLockAttempts; ++i) {
-    std::error_code ignored;
-    std::filesystem::create_directories(folder, ignored);
+    std::filesystem::create_directories(folder, not_created);
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno == ENOENT) continue;
     if (descriptor_ < 0) break;
@@ -54,11 +54,15 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".l
       throw InputError(fmt::format("{}: another run is using this folder", folder.string()));
     break;
   }
+  if (not_created)
+    throw InputError(
+        fmt::format("{}: cannot be created: {}", folder.string(), not_created.message()));
   throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));
 }
 
 FolderLock::~FolderLock() {
-  ::unlink(file_.c_str());  // still this lock's file, unless it was replaced by hand
+  // If somebody removed the file, another process may hold the folder with a new one.
+  if (is_same_file(file_, descriptor_)) ::unlink(file_.c_str());
   ::close(descriptor_);
 }
 

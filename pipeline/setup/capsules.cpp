@@ -1,5 +1,7 @@
 #include "pipeline/setup/capsules.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -21,12 +23,23 @@ double equivalent_rod_radius(const robot::UrdfInertia& inertia) {
   return std::sqrt(2 * moments[0] / inertia.mass);
 }
 
+/// Returns true if a joint moves the frame or one of its descendants.
+bool leads_to_a_joint(const Kinematics& robot, int frame) {
+  return robot.moves(frame) || std::ranges::any_of(robot.children[frame], [&](int child) {
+           return leads_to_a_joint(robot, child);
+         });
+}
+
 /// Returns the ends of a link, in its frame and not near its origin: the origins of its children,
-/// and a point kPadDepth_m below the surface of its pad.
+/// and a point kPadDepth_m below the surface of its pad. A child without joints is a mark, like the
+/// point between a gripper's fingers, if others lead to joints.
 std::vector<Vec3> child_origins(const Kinematics& robot, int frame, const std::vector<Pad>& pads) {
   std::vector<Vec3> ends;
-  for (const int child : robot.children[frame])
-    ends.push_back(robot.frame(child).transform.translation());
+  const auto& children = robot.children[frame];
+  const auto leads = [&](int child) { return leads_to_a_joint(robot, child); };
+  const bool carries_joints = std::ranges::any_of(children, leads);
+  for (const int child : children)
+    if (!carries_joints || leads(child)) ends.push_back(robot.frame(child).transform.translation());
   for (const Pad& pad : pads)
     if (pad.frame == frame) ends.emplace_back(pad.frame_from_pad * Vec3(-kPadDepth_m, 0, 0));
   std::vector<Vec3> distinct;
@@ -66,41 +79,57 @@ RobotModel::Capsule fingertip_capsule(const Pad& pad) {
   return bone;
 }
 
-int budget_of(const Kinematics& robot, int frame, const std::vector<int>& arm, const Hand* hand,
-              const CapsuleBudget& budget) {
-  if (hand && robot::is_in_subtree(robot.table(), frame, hand->root))
-    return frame == hand->root ? budget.palm : budget.finger;
+cover::FitOptions fit_options(const Kinematics& robot, int frame, const std::vector<int>& arm,
+                              const Hand* hand, const CapsuleBudget& budget) {
+  const RobotModel& table = robot.table();
+  if (hand && robot::moving_frame_of(table, frame) == robot::moving_frame_of(table, hand->root))
+    return {budget.palm, kPalmStandoff_m};
+  if (hand && robot::is_in_subtree(table, frame, hand->root)) return {budget.finger};
   const auto place = std::ranges::find(arm, frame) - arm.begin();
-  if (place == std::ssize(arm)) return hand ? budget.palm : budget.arm;
-  return 2 * place >= std::ssize(arm) ? budget.wrist : budget.arm;
+  const bool outer = place < std::ssize(arm) && 2 * place >= std::ssize(arm);
+  return {outer ? budget.wrist : budget.arm};
 }
 
 }  // namespace
 
+std::vector<RobotModel::Capsule> capsules_of(const cover::CapsuleFit& fit) {
+  std::vector<RobotModel::Capsule> capsules;
+  for (const collision::CapsuleBody& body : fit.capsules) {
+    RobotModel::Capsule& capsule = capsules.emplace_back();
+    capsule.from = body.from;
+    capsule.to = body.to;
+    capsule.radius = body.radius;
+  }
+  return capsules;
+}
+
 std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector<int>& arm,
                                       const Hand* hand, const std::vector<Pad>& pads,
-                                      const LinkShapes& shapes, const CapsuleBudget& budget) {
+                                      const LinkShapes& shapes, const CapsuleBudget& budget,
+                                      const std::function<void(const std::string&)>& progress) {
   std::vector<LinkCapsules> links;
+  int covered = 0;
   std::set<int> shaped;  // moving frames of bodies with shapes
   for (const auto& [frame, objects] : shapes.shapes_by_frame)
     shaped.insert(robot::moving_frame_of(robot.table(), frame));
   for (int frame = 0; frame < std::ssize(robot.table().frames); ++frame) {
     if (shapes.shapes_by_frame.contains(frame)) {
+      if (progress)
+        progress(fmt::format("covering link {} of {}: {}", ++covered, shapes.shapes_by_frame.size(),
+                             robot.link[frame]));
       LinkCapsules& link = links.emplace_back();
       link.frame = frame;
+      const cover::FitOptions options = fit_options(robot, frame, arm, hand, budget);
       const cover::CapsuleFit cover =
-          cover::fit_capsules(shapes.shapes_by_frame.at(frame),
-                              budget_of(robot, frame, arm, hand, budget), robot.link[frame]);
-      for (const collision::CapsuleBody& body : cover.capsules) {
-        RobotModel::Capsule& capsule = link.capsules.emplace_back();
-        capsule.from = body.from;
-        capsule.to = body.to;
-        capsule.radius = body.radius;
-      }
+          cover::fit_capsules(shapes.shapes_by_frame.at(frame), options, robot.link[frame]);
+      link.aim_m = options.aim_m;
+      link.capsules = capsules_of(cover);
       link.figures = cover.quality;
-      for (const Pad& pad : pads)
-        if (pad.frame == frame && pad.tip_beyond_shapes)
-          link.capsules.push_back(fingertip_capsule(pad));
+      for (const Pad& pad : pads) {
+        if (pad.frame != frame || !pad.tip_beyond_shapes) continue;
+        link.capsules.push_back(fingertip_capsule(pad));
+        ++link.tip_capsules;
+      }
     } else if (!shaped.contains(robot::moving_frame_of(robot.table(), frame))) {
       const std::vector<Vec3> ends = child_origins(robot, frame, pads);
       if (!ends.empty()) links.push_back(assumed_capsules(robot, frame, ends));

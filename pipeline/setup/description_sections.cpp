@@ -4,9 +4,9 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "core/robot/tree.hpp"
-#include "pipeline/setup/find_allowed_links.hpp"
 #include "pipeline/setup/natural_posture.hpp"
 #include "pipeline/setup/yaml_text.hpp"
 
@@ -19,6 +19,18 @@ std::string frame_line(const std::string& name, const std::string& parent, const
                        const std::string& remark) {
   return fmt::format("  - {{name: {}, parent: {}, mount: {}}}  # {}\n", name, yaml_name(parent),
                      yaml_mount(mount), remark);
+}
+
+/// Returns the end of the remark on a joint's limits.
+std::string limit_remark(const JointLimits& own) {
+  std::string remark;
+  if (own.motor_velocity > 0)
+    remark += fmt::format("; velocity assumed, the URDF's {:.4g} is a motor's without load",
+                          own.motor_velocity);
+  if (own.position_given) remark += "; lower and upper as given";
+  const bool lacks =
+      (own.lower && !own.position_given) || (own.velocity && own.motor_velocity == 0);
+  return remark + (lacks ? "; what the URDF lacks assumed" : "");
 }
 
 }  // namespace
@@ -44,7 +56,7 @@ std::string urdf_section(const SetupRequest& request, const std::vector<JointLim
           yaml_number(own.braking->twice_deceleration), yaml_number(own.braking->velocity_offset),
           yaml_number(own.braking->lower_end), yaml_number(own.braking->upper_end));
     text += fmt::format("}}  # {}{}\n", own.source.empty() ? "assumed: 3 v, 50 a" : own.source,
-                        own.lower || own.velocity ? "; what the URDF lacks assumed" : "");
+                        limit_remark(own));
   }
   return text;
 }
@@ -58,6 +70,7 @@ std::string chains_section(const UrdfAnalysis& found) {
   }
   if (!found.hand) return text;
   for (const Finger& finger : found.hand->fingers) {
+    if (finger.frames.empty()) continue;  // a fixed jaw
     text += fmt::format("  - {{name: {}, first: {}, last: {}}}  # {}\n", found.finger_name(finger),
                         yaml_name(found.joint(finger.frames.front())),
                         yaml_name(found.joint(finger.frames.back())),
@@ -74,10 +87,10 @@ std::string frames_section(const UrdfAnalysis& found) {
         found.unique_frame_name(name), found.link(c.frame), mount,
         fmt::format("{}, axes pass it by {:.1f} mm", name_of(c.sure), 1e3 * c.axis_distance_m));
   };
-  if (found.centres) {
-    centre("shoulder_centre", found.centres->shoulder);
-    centre("elbow_centre", found.centres->elbow);
-    centre("wrist_centre", found.centres->wrist);
+  if (found.roles) {
+    centre("shoulder_centre", found.roles->centres.shoulder);
+    centre("elbow_centre", found.roles->centres.elbow);
+    centre("wrist_centre", found.roles->centres.wrist);
   }
   if (found.flange)
     text += frame_line(found.unique_frame_name("flange"), found.link(found.flange->frame),
@@ -89,10 +102,24 @@ std::string frames_section(const UrdfAnalysis& found) {
         found.palm->root_from_palm,
         fmt::format("z to the fingers, x out of the palm; {}", name_of(found.palm->sure)));
   std::string keys;
-  if (found.centres)
+  if (found.roles)
     keys += fmt::format("shoulder: {}\n", found.unique_frame_name("shoulder_centre"));
   keys += fmt::format("palm: {}\n", found.unique_frame_name(found.palm ? "palm_frame" : "flange"));
   return (text.empty() ? "" : "frames:\n" + text) + keys;
+}
+
+std::string fixed_joints_section(const UrdfAnalysis& found) {
+  if (!found.roles) return "";
+  std::string text;
+  std::set<int> written;
+  for (const int frame : found.roles->trunk) {
+    const int joint = found.robot.frame(frame).joint;
+    if (!written.insert(joint).second) continue;
+    text += fmt::format("  - {{joint: {}, position: {}}}\n",
+                        yaml_name(found.robot.table().joint_names[joint]),
+                        yaml_number(found.robot.rest[joint]));
+  }
+  return text.empty() ? "" : "fixed_joints:  # before the shoulder: trunk, lift or base\n" + text;
 }
 
 std::string tips_section(const UrdfAnalysis& found) {
@@ -177,13 +204,18 @@ std::string capsules_section(const UrdfAnalysis& found, const std::string& allow
   return text;
 }
 
-std::string pairs_text(const robot::RobotDescription& description) {
+std::function<std::string(int)> link_names(const robot::RobotDescription& description) {
   std::map<int, std::string> names{{-1, "base"}};
   for (int f = 0; f < std::ssize(description.table.frames); ++f)
     names[f] = description.table.frames[f].name;
   for (const auto& [link, frame] : description.links) names[frame] = link;
-  return allowed_links_yaml(find_allowed_links(description.table),
-                            [&](int frame) { return names[frame]; });
+  return [names = std::move(names)](int frame) { return names.at(frame); };
+}
+
+std::string check_section(const std::vector<std::string>& items) {
+  std::string text;
+  for (const std::string& item : items) text += fmt::format("  - {}\n", yaml_text(item));
+  return text.empty() ? "" : "check:  # delete a line that is done\n" + text;
 }
 
 }  // namespace morphe::setup

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ std::string urdf_section(const SetupRequest& request, const std::vector<JointLim
 std::string chains_section(const UrdfAnalysis& found);
 /// The joint centres of the arm, flange and palm as frames, and which are shoulder and palm.
 std::string frames_section(const UrdfAnalysis& found);
+/// The joints before the shoulder, fixed where they rest.
+std::string fixed_joints_section(const UrdfAnalysis& found);
 /// The pads.
 std::string tips_section(const UrdfAnalysis& found);
 /// The joint centres of the arm and the fingers.
@@ -25,8 +28,9 @@ std::string centres_section(const UrdfAnalysis& found);
 std::string natural_section(const UrdfAnalysis& found);
 /// The capsules, and the text of the pairs of links that may collide.
 std::string capsules_section(const UrdfAnalysis& found, const std::string& allowed);
-/// The key `allowed_links` for a description that lacks it. It names links, because their names
-/// differ from those of frames.
-std::string pairs_text(const robot::RobotDescription& description);
+/// Returns a function that names the links of frames, because `allowed_links` does.
+std::function<std::string(int)> link_names(const robot::RobotDescription& description);
+/// The sentences on what should be checked.
+std::string check_section(const std::vector<std::string>& items);
 
 }  // namespace morphe::setup

@@ -5,30 +5,36 @@
 #include <vector>
 
 #include "core/motion/robot_model.hpp"
+#include "pipeline/setup/link_bodies.hpp"
 
 namespace morphe::setup {
 
-/// Two frames whose capsules need not be checked against each other, and the reasons.
-struct AllowedPair {
-  int first = -1, second = -1;    ///< frames; -1 is the base
-  double share = 0;               ///< share of the sampled postures in which they overlap
-  double rest_penetration_m = 0;  ///< overlap at rest
+/// How two bodies stand to each other as made: with all joints at rest, and in the postures of the
+/// joints between them.
+struct LinkPair {
+  int first = -1, second = -1;  ///< frames; -1 is the base
+  double rest_depth_m = 0;      ///< by which the bodies overlap at rest
+  double rest_gap_m = 0;        ///< by which they are apart at rest, 0 if they overlap
+  bool excused = false;         ///< true if they overlap by design
+  bool linkage = false;         ///< true if they are excused as bars of one mechanism
+  bool proven = false;          ///< true if bounds on the motion prove it for all postures
+  int postures = 0;             ///< number of postures that were tested
+  int joints_between = 0;
+  bool assumed = false;  ///< true if capsules stand for the shapes of one of them
 };
 
-/// Finds the pairs of frames with capsules whose collision should be allowed. Two frames overlap if
-/// they are less than 1.5 mm apart, which is hardly compatible with a margin of 1 mm. A pair is
-/// allowed if
-///   - it overlaps in 95 % of 400 random postures of the joints between the frames, from a fixed
-///     seed for each pair, which indicates that the frames overlap by design; or
-///   - it has at most three joints between its frames and penetrates at rest by more than 4 mm; or
-///   - one joint moves both frames, each in its own way, and they overlap in one of these postures,
-///     for example the bars of a gripper, whose loop a URDF cuts open.
-/// All others remain checked, because random postures without contact do not prove its absence.
-/// Pairs that `robot` already allows are left out, such as neighbours.
-std::vector<AllowedPair> find_allowed_links(const RobotModel& robot);
+/// Judges the pairs of bodies that `robot` checks, by their shapes. Two bodies are excused if they
+/// overlap at rest and
+///   - in all postures of the joints between them: for one joint by steps so small that the deepest
+///     point of the overlap cannot leave the other body, which is a proof, or else in 4000 random
+///     postures and at all limits, from a fixed seed for each pair; or
+///   - one joint moves both, each in its own way, and they never part by more than 1.5 mm, like the
+///     bars of a gripper, whose loop a URDF cuts open.
+/// Bodies within 0.01 mm count as overlapping. All other pairs remain checked.
+std::vector<LinkPair> judge_pairs(const RobotModel& robot, const LinkBodies& bodies);
 
-/// Returns the key `allowed_links` of a description with these pairs, "" if there are none.
-std::string allowed_links_yaml(const std::vector<AllowedPair>& pairs,
+/// Returns the key `allowed_links` of a description with the excused pairs, "" if there are none.
+std::string allowed_links_yaml(const std::vector<LinkPair>& pairs,
                                const std::function<std::string(int)>& name_of_frame);
 
 }  // namespace morphe::setup

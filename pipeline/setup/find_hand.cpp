@@ -8,7 +8,8 @@
 
 #include "core/motion/human_motion.hpp"
 #include "core/motion/input_error.hpp"
-#include "core/robot/tree.hpp"
+#include "pipeline/setup/find_jaw.hpp"
+#include "pipeline/setup/opposition.hpp"
 #include "pipeline/setup/yaml_text.hpp"
 
 namespace morphe::setup {
@@ -100,9 +101,6 @@ std::vector<Finger> gripper_fingers(const Kinematics& robot, int root,
   });
   std::vector<Finger> ends = {*first, *second};
   if (second < first) std::swap(ends[0], ends[1]);
-  ends[0].finger = 0;
-  ends[1].finger = 1;
-  ends[0].finger_provenance = ends[1].finger_provenance = Provenance::assumed;
   return ends;
 }
 
@@ -116,10 +114,10 @@ std::ptrdiff_t find_thumb(const Kinematics& robot, const std::vector<Finger>& fi
   return std::ranges::min_element(similarity) - similarity.begin();
 }
 
-/// Numbers the fingers other than the thumb, starting from its side.
+/// Numbers the fingers other than the thumb by the places of their last joints across the palm,
+/// starting from the thumb's side.
 void order_by_geometry(const Kinematics& robot, std::vector<Finger>& fingers) {
   std::swap(fingers[0], fingers[find_thumb(robot, fingers)]);
-  if (fingers.size() < 2) return;
   const auto root = [&](const Finger& finger) {
     return robot.pose(finger.frames.front()).translation();
   };
@@ -131,59 +129,141 @@ void order_by_geometry(const Kinematics& robot, std::vector<Finger>& fingers) {
     middle += root(fingers[i]) / static_cast<double>(fingers.size() - 1);
   const Vec3 thumb = 0.5 * (root(fingers[0]) + last_joint_position(robot, fingers[0])) - middle;
   if (thumb.dot(across) < 0) across = -across;
-  std::ranges::sort(fingers.begin() + 1, fingers.end(), std::ranges::greater{},
-                    [&](const Finger& finger) { return root(finger).dot(across); });
+  std::ranges::stable_sort(
+      fingers.begin() + 1, fingers.end(), std::ranges::greater{},
+      [&](const Finger& finger) { return last_joint_position(robot, finger).dot(across); });
   for (int i = 0; i < std::ssize(fingers); ++i) {
-    fingers[i].finger = std::min<int>(i, kFingerCount - 1);
+    fingers[i].finger = i;
     fingers[i].finger_provenance = Provenance::derived;
   }
 }
 
-void identify_fingers(const Kinematics& robot, std::vector<Finger>& fingers) {
+/// Sorts the fingers by their names, and moves chains without such a name to `left_out` if at least
+/// kMinNamed others have one. Returns false if names do not tell each finger from the others.
+bool order_by_names(const Kinematics& robot, std::vector<Finger>& fingers,
+                    std::vector<LeftOut>& left_out) {
+  constexpr std::size_t kMinNamed = 3;  // thumb and two more: then names are meant to be complete
+  std::vector<Finger> named;
+  std::vector<LeftOut> unnamed;
   std::set<int> names;
-  for (Finger& finger : fingers) {
+  for (Finger finger : fingers) {
     finger.finger = finger_from_names(robot, finger.frames);
     finger.finger_provenance = Provenance::read;
-    names.insert(finger.finger);
+    if (finger.finger < 0) {
+      unnamed.push_back({finger.body, "the others are named as fingers, it is not"});
+    } else {
+      named.push_back(finger);
+      names.insert(finger.finger);
+    }
   }
-  if (names.size() == fingers.size() && names.contains(0) && !names.contains(-1)) {
-    std::ranges::sort(fingers, {}, &Finger::finger);
-  } else {
-    order_by_geometry(robot, fingers);
+  const bool complete = unnamed.empty() || named.size() >= kMinNamed;
+  if (names.size() < named.size() || !names.contains(0) || !complete) return false;
+  fingers = std::move(named);
+  left_out.insert(left_out.end(), unnamed.begin(), unnamed.end());
+  std::ranges::sort(fingers, {}, &Finger::finger);
+  return true;
+}
+
+void number_jaws(Hand& hand) {
+  for (int k : {0, 1}) {
+    hand.fingers[k].finger = k;
+    hand.fingers[k].finger_provenance = Provenance::assumed;
   }
+}
+
+/// Returns true if each of two fingers has one joint, or one joint drives all chains and names tell
+/// of no more than two fingers.
+bool is_gripper(const Kinematics& robot, const std::vector<Finger>& fingers) {
+  const auto one_joint = [&](const Finger& finger) { return driven_by_one_joint(robot, {finger}); };
+  if (fingers.size() == 2 && std::ranges::all_of(fingers, one_joint)) return true;
+  std::vector<Finger> named = fingers;
+  std::vector<LeftOut> unnamed;
+  return driven_by_one_joint(robot, fingers) &&
+         !(order_by_names(robot, named, unnamed) && named.size() > 2);
+}
+
+void keep_five_fingers(Hand& hand) {
+  while (hand.fingers.size() > kFingerCount) {
+    hand.left_out.push_back(
+        {hand.fingers.back().body, fmt::format("a person has {} fingers", kFingerCount)});
+    hand.fingers.pop_back();
+  }
+}
+
+void keep_two_jaws(const Kinematics& robot, Hand& hand) {
+  const std::vector<Finger> all = hand.fingers;
+  hand.fingers = gripper_fingers(robot, hand.root, all);
+  for (const Finger& other : all)
+    if (std::ranges::find(hand.fingers, other.body, &Finger::body) == hand.fingers.end())
+      hand.left_out.push_back({other.body, "the jaws' joint moves it"});
+}
+
+/// Adds the fixed jaw beside the only moving one. `asked_for`: without asking for evidence.
+bool add_fixed_jaw(const Kinematics& robot, const BodyPoints& points, bool asked_for, Hand& hand) {
+  const Finger& jaw = hand.fingers.front();
+  const std::optional<BodyPoint> fixed =
+      asked_for ? farthest_beside(robot, jaw, points) : find_fixed_jaw(robot, jaw, points);
+  if (!fixed) return false;
+  hand.gripper = true;
+  hand.fixed_jaw_end = fixed->position;
+  hand.fingers.push_back({1, {}, Provenance::assumed, fixed->frame});
+  number_jaws(hand);
+  return true;
+}
+
+/// Returns the chains below a frame that may be fingers.
+std::vector<Finger> chains_below(const Kinematics& robot, int root) {
+  std::vector<Finger> chains;
+  for (const int leaf : subtree_of(robot, root).leaves)
+    if (const std::vector<int> frames = joint_frames_between(robot, root, leaf); !frames.empty())
+      chains.push_back({0, frames, Provenance::assumed, leaf});
+  return chains;
+}
+
+/// Returns the links that carry a gripper's only moving jaw, of a robot without other hands.
+std::vector<int> find_jaw_roots(const Kinematics& robot, const BodyPoints& points) {
+  std::vector<int> roots;
+  for (const int leaf : subtree_of(robot, 0).leaves) {
+    int first = leaf;  // of the frames that the jaw's joint moves, one after the other
+    for (int f = leaf;
+         f >= 0 && (!robot.moves(f) || robot.frame(f).joint == robot.frame(leaf).joint);
+         f = robot.frame(f).parent)
+      if (robot.moves(f)) first = f;
+    const int root = robot.frame(first).parent;
+    if (root < 0) continue;
+    const Finger jaw{0, joint_frames_between(robot, root, leaf), Provenance::assumed, leaf};
+    if (find_fixed_jaw(robot, jaw, points)) roots.push_back(root);
+  }
+  return roots;
 }
 
 }  // namespace
 
-std::optional<Hand> find_hand(const Kinematics& robot, const std::string& link_name) {
+std::vector<int> find_hand_roots(const Kinematics& robot, const BodyPoints& points) {
   std::vector<int> roots;
-  if (!link_name.empty()) {
-    const auto link = robot.model->links.find(link_name);
-    if (link == robot.model->links.end())
-      throw InputError(
-          fmt::format("{}: link '{}' does not exist", robot.model->file.string(), link_name));
-    roots = {link->second};
-  } else {
-    find_roots(robot, 0, roots);
-  }
-  if (roots.empty()) return std::nullopt;
-  if (roots.size() > 1) {
-    std::vector<std::string> names;
-    for (const int root : roots) names.push_back(robot.link[root]);
-    throw InputError(fmt::format("{}: has {} hands, at {}: select one with --hand LINK",
-                                 robot.model->file.string(), roots.size(), fmt::join(names, ", ")));
-  }
+  find_roots(robot, 0, roots);
+  return roots.empty() ? find_jaw_roots(robot, points) : roots;
+}
+
+std::optional<Hand> find_hand(const Kinematics& robot, int root, bool named,
+                              const BodyPoints& points) {
   Hand hand;
-  hand.root = roots.front();
-  for (const int leaf : subtree_of(robot, hand.root).leaves)
-    hand.fingers.push_back({0, joint_frames_between(robot, hand.root, leaf), Provenance::assumed});
-  if (hand.fingers.size() < 2) return std::nullopt;
-  hand.gripper = driven_by_one_joint(robot, hand.fingers);
-  if (hand.gripper) {
-    hand.fingers = gripper_fingers(robot, hand.root, std::move(hand.fingers));
-  } else {
-    identify_fingers(robot, hand.fingers);
+  hand.root = root;
+  hand.fingers = chains_below(robot, hand.root);
+  hand.left_out = leave_out_idle_chains(robot, hand.root, points, hand.fingers);
+  if (hand.fingers.empty()) return std::nullopt;
+  if (hand.fingers.size() == 1) {
+    if (!add_fixed_jaw(robot, points, named, hand)) return std::nullopt;
+    return hand;
   }
+  hand.gripper = is_gripper(robot, hand.fingers);
+  if (hand.gripper) {
+    keep_two_jaws(robot, hand);
+    number_jaws(hand);
+    return hand;
+  }
+  if (!order_by_names(robot, hand.fingers, hand.left_out)) order_by_geometry(robot, hand.fingers);
+  keep_five_fingers(hand);
   return hand;
 }
 

@@ -4,31 +4,29 @@
 #include <vector>
 
 #include "pipeline/setup/find_hand.hpp"
+#include "pipeline/setup/pad_surface.hpp"
 
 namespace morphe::setup {
 
 /// The pad of a finger: z along the last bone, x out of the pad, origin on the surface of the pad.
 struct Pad {
-  int frame = -1;  ///< last moving frame of the finger
+  int frame = -1;  ///< of the finger's last body
   Pose frame_from_pad = Pose::Identity();
   std::string urdf_tip_link;     ///< link that the file defines as tip, or ""
   Vec3 urdf_tip = Vec3::Zero();  ///< position of that link in the frame [m]
   Provenance sure = Provenance::assumed;
   bool tip_beyond_shapes = false;  ///< true if that link is beyond the finger's shapes
+  bool assumed_to_meet = false;    ///< true for jaws without shapes, whose surfaces are unknown
 };
 
 /// Distance beyond the end of the shapes from which the file's tip is replaced by that end [m].
 inline constexpr double kMaxTipBeyondShapes_m = 0.01;
-/// The maximum distance of the pad from the end of a finger [m], half of a human fingertip.
-inline constexpr double kPadSetback_m = 0.008;
-/// The distance from the surface of the pad to the axis of the finger, to which goals refer [m].
-inline constexpr double kPadDepth_m = 0.010;
-
 /// Finds the pads of a hand's fingers, in their order. With c the projection of a finger's end onto
 /// its last axis, bone = end - c and normal = (axis in the sense of closing) × bone. The end is the
 /// point of the shapes farthest along the bone; the tip in the file if there are no shapes, or they
 /// end before it (a bracket without its rubber); without both, the point twice as far from the axis
-/// as the centre of mass. The pads of a gripper face each other.
+/// as the centre of mass. The normal of a sliding finger is its direction of closing. The pads of a
+/// gripper face each other (gripper_pads.hpp).
 std::vector<Pad> find_pads(const Kinematics& robot, const Hand& hand, const BodyPoints& points);
 
 /// The palm frame: z towards the fingers, y to the side of the thumb and x out of the palm for a
@@ -36,7 +34,7 @@ std::vector<Pad> find_pads(const Kinematics& robot, const Hand& hand, const Body
 /// the distance of a human wrist, scaled to the size of the robot's fingers.
 struct Palm {
   Pose root_from_palm = Pose::Identity();
-  Side side = Side::right;
+  Side side = Side::right;  ///< by the geometry, of which a gripper has no side
   Provenance sure = Provenance::derived;
 };
 /// Finds the palm of a hand.

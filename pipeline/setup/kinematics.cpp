@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 #include "core/robot/forward_kinematics.hpp"
 
@@ -61,6 +62,17 @@ Vec3 point_nearest_to_lines(const std::vector<Line>& lines) {
 
 double distance(const Line& line, const Vec3& point) {
   return (project_onto_line(line, point) - point).norm();
+}
+
+double distance(const Line& one, const Line& other) {
+  const Vec3 normal = one.direction.cross(other.direction);
+  if (are_parallel(one, other)) return distance(one, other.point);
+  return std::abs((other.point - one.point).dot(normal.normalized()));
+}
+
+bool are_parallel(const Line& one, const Line& other) {
+  constexpr double kMaxSine = 0.1;  // 6 degrees
+  return one.direction.cross(other.direction).norm() < kMaxSine;
 }
 
 }  // namespace morphe::setup

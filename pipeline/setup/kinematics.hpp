@@ -45,5 +45,9 @@ Vec3 project_onto_line(const Line& line, const Vec3& point);
 Vec3 point_nearest_to_lines(const std::vector<Line>& lines);
 /// Returns the distance of a point from a line [m].
 double distance(const Line& line, const Vec3& point);
+/// Returns the distance of two lines from each other [m].
+double distance(const Line& one, const Line& other);
+/// Returns true if two lines have nearly the same direction, in either sense.
+bool are_parallel(const Line& one, const Line& other);
 
 }  // namespace morphe::setup

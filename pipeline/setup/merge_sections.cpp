@@ -48,6 +48,13 @@ std::string join_sections(const std::vector<Section>& sections) {
   return text;
 }
 
+std::map<std::string, std::string> edited_sections(const std::string& text) {
+  std::map<std::string, std::string> edited;
+  for (const OldSection& section : sections_of(text))
+    if (hash_of(section.text) != section.hash) edited[section.name] = section.text;
+  return edited;
+}
+
 std::string merge_sections(const std::vector<Section>& sections, const std::string& before,
                            std::vector<std::string>& kept) {
   const std::vector<OldSection> old = sections_of(before);

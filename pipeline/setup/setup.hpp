@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,8 +16,21 @@ struct SetupRequest {
   std::filesystem::path out;  ///< description; paths in it are relative to its folder
   std::string name;           ///< of the robot, "" for that of the URDF
   std::string hand;           ///< link at which the fingers branch, "" to find it
+  std::string arm;            ///< link at the end of the arm, or beyond it, "" to find it
+  std::string elbow;          ///< joint of the elbow, "" to find it
+  std::string first, last;    ///< ends of the arm that a person wrote into the description, or ""
+  robot::GivenLimits limits;  ///< of position, which replace those of the URDF
   PackagePaths package_paths;
   CapsuleBudget budget;
+  /// Called with a clause about each step that may take seconds; may be empty.
+  std::function<void(const std::string& step)> progress;
+};
+
+/// A frame that was derived, for a table.
+struct DerivedFrame {
+  std::string name, link;
+  Vec3 position = Vec3::Zero();  ///< in the base frame, with the robot at rest [m]
+  std::string certainty;         ///< and the distances of axes
 };
 
 /// A generated description of a robot, with a list of properties to be checked before it is used.
@@ -24,7 +38,9 @@ struct SetupResult {
   std::string text;                ///< YAML
   std::vector<std::string> notes;  ///< sentences about missing or simplified data
   BodyPoints points;  ///< of the URDF's shapes; the frames have the same indices in the description
-  std::vector<std::string> to_check;  ///< derived or assumed properties, in order of importance
+  std::vector<DerivedFrame> derived;  ///< joint centres, flange and palm
+  /// Derived or assumed properties, in order of importance; the description keeps them (`check`).
+  std::vector<std::string> to_check;
 };
 
 /// Generates the description of a URDF: chains, fingers, pads, palm, joint centres, limits, natural

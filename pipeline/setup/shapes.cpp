@@ -7,40 +7,13 @@
 #include <set>
 
 #include "core/collision/mesh_file.hpp"
+#include "core/motion/count_with_noun.hpp"
 
 namespace morphe::setup {
 namespace {
 
 namespace fs = std::filesystem;
 using robot::UrdfShape;
-
-/// Returns the file of package://NAME/PATH (see PackagePaths), or an empty path.
-fs::path resolve_package_path(const fs::path& urdf, const std::string& name, const fs::path& path,
-                              const PackagePaths& places) {
-  if (const auto given = places.packages.find(name); given != places.packages.end())
-    return given->second / path;
-  for (fs::path folder = fs::absolute(urdf).parent_path(); folder != folder.root_path();
-       folder = folder.parent_path()) {
-    if (folder.filename() == name && fs::exists(folder / path)) return folder / path;
-    if (fs::exists(folder / name / path)) return folder / name / path;
-    if (fs::exists(folder / path)) return folder / path;
-  }
-  return {};
-}
-
-fs::path resolve_mesh_path(const fs::path& urdf, const std::string& named,
-                           const PackagePaths& places) {
-  for (const std::string_view scheme : {"package://", "model://"}) {
-    if (!named.starts_with(scheme)) continue;
-    const std::string rest = named.substr(scheme.size());
-    const std::size_t slash = rest.find('/');
-    if (slash == std::string::npos) return {};
-    return resolve_package_path(urdf, rest.substr(0, slash), rest.substr(slash + 1), places);
-  }
-  fs::path path = named.starts_with("file://") ? named.substr(7) : named;
-  if (path.is_relative()) path = urdf.parent_path() / path;
-  return path;
-}
 
 SceneObject solid(const UrdfShape& shape) {
   SceneObject object;
@@ -75,14 +48,59 @@ void add_points(const SceneObject& object, std::vector<Vec3>& points) {
   }
 }
 
+/// Names of the same kind: the first one, and how many different ones there are.
+struct NameGroup {
+  std::set<std::string> names;
+  std::string first;
+
+  void add(const std::string& name) {
+    if (names.empty()) first = name;
+    names.insert(name);
+  }
+};
+
 struct Reader {
   const Kinematics& robot;
   const PackagePaths& places;
-  LinkShapes found;
-  std::set<std::string> noted;
+  LinkShapes found = {};
+  std::map<std::string, NameGroup> missing = {};   ///< meshes that do not exist, by package
+  std::map<std::string, NameGroup> problems = {};  ///< files that cannot be read, by problem
+  NameGroup by_tail = {};                          ///< meshes that were not where they should be
+  std::string tail_example = {};
+  std::set<std::string> noted = {};
 
   void note(const std::string& sentence) {
     if (noted.insert(sentence).second) found.notes.push_back(sentence);
+  }
+
+  void note_missing(const std::string& package, const NameGroup& group) {
+    const std::string advice =
+        package.empty()
+            ? ""
+            : fmt::format("; give the folder of the package: --package {}=DIR", package);
+    note(fmt::format(
+        "{}: {} not found, so the link{} no shape: {}'{}'{}", robot.model->file.string(),
+        group.names.size() == 1 ? "a mesh was"
+                                : fmt::format("{} meshes{} were", group.names.size(),
+                                              package.empty() ? "" : " of package " + package),
+        group.names.size() == 1 ? " has" : "s have", group.names.size() == 1 ? "" : "first ",
+        group.first, advice));
+  }
+
+  /// Adds one note for each kind of problem with files.
+  void note_problems() {
+    for (const auto& [package, group] : missing) note_missing(package, group);
+    for (const auto& [problem, group] : problems) {
+      note(group.names.size() == 1
+               ? group.first + problem
+               : fmt::format("{} and {}{}", group.first,
+                             count_with_noun(group.names.size() - 1, "other mesh", "other meshes"),
+                             problem));
+    }
+    if (by_tail.names.empty()) return;
+    note(fmt::format("{}: {} found by the end of {} path: {}", robot.model->file.string(),
+                     count_with_noun(by_tail.names.size(), "mesh was", "meshes were"),
+                     by_tail.names.size() == 1 ? "its" : "their", tail_example));
   }
 
   /// Adds a note for a mesh of 5 m or more, or of 1 mm or less: its unit is probably not the metre.
@@ -98,17 +116,20 @@ struct Reader {
   }
 
   bool read_mesh(const UrdfShape& shape, SceneObject& mesh) {
-    const fs::path file = resolve_mesh_path(robot.model->file, shape.mesh, places);
-    if (file.empty() || !fs::exists(file)) {
-      note(
-          fmt::format("{}: mesh '{}' not found, so the link has no shape (give the folder of a "
-                      "package with --package NAME=DIR)",
-                      robot.model->file.string(), shape.mesh));
+    const MeshPlace place = find_mesh(robot.model->file, shape.mesh, places);
+    const fs::path& file = place.file;
+    if (file.empty()) {
+      missing[place.package].add(shape.mesh);
       return false;
+    }
+    if (place.by_tail) {
+      by_tail.add(shape.mesh);
+      if (tail_example.empty())
+        tail_example = fmt::format("'{}' is taken to be {}", shape.mesh, file.string());
     }
     const std::string problem = collision::load_raw_mesh(file, mesh);
     if (!problem.empty()) {
-      note(problem);
+      problems[problem.substr(file.string().size())].add(file.string());
       return false;
     }
     for (Vec3& vertex : mesh.vertices)
@@ -139,7 +160,7 @@ struct Reader {
 }  // namespace
 
 LinkShapes read_shapes(const Kinematics& robot, const PackagePaths& places) {
-  Reader reader{robot, places, {}, {}};
+  Reader reader{robot, places};
   for (const bool visual : {false, true}) {
     std::set<int> shaped;
     for (const auto& [frame, objects] : reader.found.shapes_by_frame) shaped.insert(frame);
@@ -148,6 +169,7 @@ LinkShapes read_shapes(const Kinematics& robot, const PackagePaths& places) {
       if (shape.visual == visual && !shaped.contains(frame)) reader.read(shape, frame);
     }
   }
+  reader.note_problems();
   return std::move(reader.found);
 }
 

@@ -6,8 +6,8 @@
 
 #include "core/motion/human_motion.hpp"
 #include "pipeline/setup/capsules.hpp"
+#include "pipeline/setup/find_limb.hpp"
 #include "pipeline/setup/flange.hpp"
-#include "pipeline/setup/joint_centres.hpp"
 #include "pipeline/setup/limits.hpp"
 #include "pipeline/setup/setup.hpp"
 
@@ -16,14 +16,16 @@ namespace morphe::setup {
 /// All that is derived from a URDF for its description. The robot must outlive it.
 struct UrdfAnalysis {
   const Kinematics& robot;
-  std::vector<int> arm;  ///< moving frames from the base to the hand's root or the last one
+  std::vector<int> arm;  ///< moving frames of the arm, or of the wrist of a hand
   std::optional<Hand> hand;
   std::vector<Pad> pads;
   std::optional<Palm> palm;
   std::optional<Flange> flange;
-  std::optional<ArmCentres> centres;
+  std::optional<Arm> roles;  ///< of the frames of an arm, and its joint centres
   std::vector<LinkCapsules> capsules;
   std::vector<std::string> placeholder_shape_links;  ///< links that lost placeholder shapes
+  std::vector<std::string> notes;
+  double opening_m = 0;  ///< of a gripper, between its pads
 
   /// Returns a name for a generated frame that no frame, joint or link of the file has.
   std::string unique_frame_name(std::string name) const {
@@ -32,8 +34,7 @@ struct UrdfAnalysis {
   }
   std::string link(int frame) const { return robot.link[frame]; }
   std::string joint(int frame) const { return robot.frame(frame).name; }
-  /// Returns false for one or two joints, which are the wrist of a hand.
-  bool has_arm() const { return arm.size() > 2; }
+  bool has_arm() const { return roles.has_value(); }
   std::string finger_name(const Finger& finger) const { return kFingerNames[finger.finger]; }
 };
 

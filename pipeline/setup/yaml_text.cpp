@@ -23,6 +23,12 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+std::string yaml_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
 std::string yaml_name(const std::string& name) {
   static constexpr std::array kWords = {"true", "false", "yes", "no", "on",
                                         "off",  "null",  "y",   "n"};
@@ -30,9 +36,7 @@ std::string yaml_name(const std::string& name) {
       !name.empty() && (std::isalpha(static_cast<unsigned char>(name[0])) || name[0] == '_') &&
       std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (plain && std::ranges::find(kWords, lower_case(name)) == kWords.end()) return name;
-  std::string quoted = "'";
-  for (const char c : name) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
+  return yaml_text(name);
 }
 
 std::string yaml_number(double value) { return with_decimals(value, 6); }

@@ -8,6 +8,8 @@ namespace morphe::setup {
 
 /// Returns a text in lower case letters.
 std::string lower_case(std::string text);
+/// Returns a text as YAML in quotes.
+std::string yaml_text(const std::string& text);
 /// Returns a name as YAML: quoted unless it is a plain identifier and no keyword.
 std::string yaml_name(const std::string& name);
 /// Returns a number with at most six decimals, and 0 for -0.

@@ -29,24 +29,17 @@ struct ObstacleData {
     const double angle = uniform(0, 2 * std::numbers::pi);
     return {std::cos(angle), std::sin(angle), 0};
   }
-  /// Returns world_from_frame of all frames of the robot after a share of the path's postures.
-  std::vector<Pose> poses_at(double path_share) const {
-    const double last = static_cast<double>(plan.path.position.rows() - 1);
-    const auto row = static_cast<Eigen::Index>(path_share * last);
+  /// Returns world_from_frame of all frames of the robot in a row of the path.
+  std::vector<Pose> poses_at(Eigen::Index row) const {
     std::vector<Pose> frames;
     robot::forward_kinematics(robot, plan.path.position.row(row).transpose(), frames);
     for (Pose& frame : frames) frame = world_from_base * frame;
     return frames;
   }
-  /// Returns the share of the path's postures that precede the grasp, 1 without a grasp.
-  double grasp_share() const {
-    const auto& times = plan.path.demonstration_time;
-    for (const Phase& phase : plan.movement.phases) {
-      if (phase.kind != PhaseKind::grasp) continue;
-      const auto begin = std::ranges::lower_bound(times, phase.begin_s);
-      return static_cast<double>(begin - times.begin()) / static_cast<double>(times.size());
-    }
-    return 1;
+  Eigen::Index last_row() const { return plan.path.position.rows() - 1; }
+  /// Draws a row from a part of the path up to a row.
+  Eigen::Index row_before(Eigen::Index end, double from_share, double to_share) {
+    return static_cast<Eigen::Index>(uniform(from_share, to_share) * static_cast<double>(end));
   }
   Vec3 world_position(const SceneObject& object) const {
     return world_from_base * object.position.front();
@@ -71,7 +64,7 @@ scene::ConfiguredObject ball_at_elbow(ObstacleData& data) {
   for (const RobotModel::Capsule& capsule : data.robot.capsules) {
     if (capsule.frame == elbow_frame) arm_radius_m = std::max(arm_radius_m, capsule.radius);
   }
-  const std::vector<Pose> frames = data.poses_at(data.uniform(0.3, 0.7));
+  const std::vector<Pose> frames = data.poses_at(data.row_before(data.last_row(), 0.3, 0.7));
   const double distance_m = arm_radius_m + kRadius_m - data.uniform(0.005, 0.025);
   return make_obstacle(
       "sphere", {kRadius_m},
@@ -80,7 +73,7 @@ scene::ConfiguredObject ball_at_elbow(ObstacleData& data) {
 
 scene::ConfiguredObject post_before_palm(ObstacleData& data) {
   constexpr double kRadius_m = 0.015, kLength_m = 0.3;
-  const std::vector<Pose> frames = data.poses_at(data.grasp_share() * data.uniform(0.35, 0.65));
+  const std::vector<Pose> frames = data.poses_at(data.row_before(grasp_row(data.plan), 0.35, 0.65));
   const Vec3 palm = frames[data.robot.palm_frame].translation();
   const Vec3 aside = data.uniform(0, 0.04) * data.horizontal_direction();
   return make_obstacle("cylinder", {kRadius_m, kLength_m},
@@ -100,7 +93,7 @@ scene::ConfiguredObject box_at_target(ObstacleData& data, const SceneObject& tar
 
 scene::ConfiguredObject board_above_target(ObstacleData& data, const SceneObject& target) {
   const std::vector<double> size = {0.4, 0.2, 0.02};
-  const std::vector<Pose> frames = data.poses_at(std::min(data.grasp_share(), 1.0));
+  const std::vector<Pose> frames = data.poses_at(grasp_row(data.plan));
   double hand_top = -kInfinity;
   for (const RobotModel::Capsule& capsule : data.robot.capsules) {
     if (!robot::is_in_subtree(data.robot, capsule.frame, data.robot.palm_frame)) continue;
@@ -151,6 +144,15 @@ bool blocks_path(ObstacleData& data, const scene::ConfiguredObject& obstacle) {
 }
 
 }  // namespace
+
+Eigen::Index grasp_row(const Plan& plan) {
+  const std::vector<double>& times = plan.path.demonstration_time;
+  const auto grasp = std::ranges::find(plan.movement.phases, PhaseKind::grasp,
+                                       [](const Phase& p) { return p.kind; });
+  const Eigen::Index last = plan.path.position.rows() - 1;
+  if (grasp == plan.movement.phases.end()) return last;
+  return std::min(last, std::ranges::lower_bound(times, grasp->begin_s) - times.begin());
+}
 
 std::optional<scene::ConfiguredObject> draw_blocking_obstacle(const robot::Robot& robot,
                                                               const Plan& plan,

@@ -19,6 +19,9 @@ namespace morphe::study {
 ///           extends away from the robot, from an edge up to 40 mm before the target's centre
 inline constexpr const char* kObstacleKinds[] = {"elbow", "reach", "object", "shelf"};
 
+/// Returns the row of a plan's path with which the grasp begins, the last one without a grasp.
+Eigen::Index grasp_row(const Plan& plan);
+
 /// Draws an obstacle of one of the kinds, in the world frame, until the path of `plan` is clear of
 /// it in the first posture but not in all. The plan is made without an obstacle, with its base at
 /// `world_from_base`. Returns no obstacle if 40 draws fail, or if the target that `object` and

@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/collision/fcl_engine.hpp"
 #include "core/math/seed.hpp"
 #include "pipeline/planning/plan_movement.hpp"
+#include "pipeline/study/colliding_states.hpp"
 #include "pipeline/study/obstacles.hpp"
 #include "stages/certify/goal_errors.hpp"
 #include "stages/repair/detour.hpp"
@@ -42,31 +40,6 @@ Plan plan_with(const planning::LoadedConfig& loaded,
                                  recorded.movement);
 }
 
-/// Counts the states of a trajectory, without its last sample, that FCL alone finds in collision at
-/// a required clearance of 0. From one state to the next, no capsule of the robot moves farther
-/// than `step_m`; objects may.
-void count_colliding_states(const robot::Robot& robot, const Plan& plan,
-                            const Trajectory& trajectory, double step_m, RepairOutcome& repaired) {
-  Tolerances without_margin = plan.tolerances;
-  without_margin.required_clearance = 0;
-  const collision::CollisionWorld world =
-      collision::make_world(robot, plan.scene, plan.movement, without_margin);
-  collision::FclEngine engine(world);
-  collision::CollisionScratch scratch;
-  for (Eigen::Index i = 1; i < trajectory.position.rows(); ++i) {
-    const JointVector from = trajectory.position.row(i - 1), to = trajectory.position.row(i);
-    const double travel_m = (robot.capsule_motion_bounds * (to - from).cwiseAbs()).maxCoeff();
-    const int steps = std::max(1, static_cast<int>(std::ceil(travel_m / step_m)));
-    for (int k = 0; k < steps; ++k) {
-      const double share = static_cast<double>(k) / steps;
-      const double from_s = trajectory.demonstration_time[i - 1];
-      const double time_s = from_s + share * (trajectory.demonstration_time[i] - from_s);
-      const bool free = engine.is_free(from + share * (to - from), time_s, scratch);
-      repaired.colliding_states += free ? 0 : 1;
-    }
-  }
-}
-
 RepairOutcome score_repair(const RepairStudy& study, const robot::Robot& robot, const Plan& plan) {
   RepairOutcome repaired;
   repaired.executable = plan.executable();
@@ -84,8 +57,9 @@ RepairOutcome score_repair(const RepairStudy& study, const robot::Robot& robot, 
   for (int k = 0; k < std::ssize(plan.path.origin); ++k)
     repaired.mapped_samples_changed |= plan.path.origin[k] == SampleOrigin::mapped &&
                                        plan.path.position.row(k) != plan.mapped.position.row(k);
-  count_colliding_states(robot, plan, plan.trajectory.samples() > 0 ? plan.trajectory : untimed,
-                         study.options.check_step_m, repaired);
+  repaired.colliding_states =
+      count_colliding_states(robot, plan, plan.trajectory.samples() > 0 ? plan.trajectory : untimed,
+                             study.options.check_step_m);
   return repaired;
 }
 

@@ -90,7 +90,7 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world,
     if (!result.failure && !sentence.empty()) result.failure = {reason, sentence};
   };
   if (trajectory.samples() < 2) {
-    fail(Reason::joint_limit, "the trajectory has fewer than two samples");
+    fail(Reason::invalid_path, "the trajectory has fewer than two samples");
     return result;
   }
   Certificate& c = result.value;

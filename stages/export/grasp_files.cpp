@@ -35,17 +35,16 @@ bool has_contacts(const Plan& plan) {
 
 std::string grasp_json(const RobotModel& robot, const Plan& plan, const std::string& name,
                        double time_s) {
-  using Json = store::JsonWriter::Json;
   const JointGroup all = joint_group(robot, "all");
   store::JsonWriter grasp;
   store::lay_out_grasp(grasp, plan.grasp);
-  Json json = {{"format", "morphe-grasp"}, {"version", 1},
-               {"note", kGraspNote},       {"plan", name},
-               {"robot", robot.name},      {"target", plan.movement.target},
-               {"time_s", time_s},         {"joints", all.names},
-               {"units", all.units}};
+  store::JsonWriter::Json json = {{"format", "morphe-grasp"}, {"version", 1},
+                                  {"note", kGraspNote},       {"plan", name},
+                                  {"robot", robot.name},      {"target", plan.movement.target},
+                                  {"time_s", time_s},         {"joints", all.names},
+                                  {"units", all.units}};
   json.update(grasp.json);
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(1, ' ', false, store::JsonWriter::Json::error_handler_t::replace) + "\n";
 }
 
 std::string contacts_csv(const Plan& plan) {

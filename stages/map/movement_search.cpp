@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
+#include <span>
 #include <utility>
 
 #include "core/math/seed.hpp"
@@ -15,6 +15,12 @@
 
 namespace morphe::map {
 namespace {
+
+/// Returns the first `count` values, or all if there are fewer.
+template <class Values>
+auto first_values(Values& values, std::size_t count) {
+  return std::span(values).first(std::min(count, values.size()));
+}
 
 /// Tracks a branch by warm-started solves from a key frame to both ends.
 IkBranch track_branch(const MappingProblem& problem, int key, const JointVector& q,
@@ -119,7 +125,7 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
              coarse, key, options.starts, options.candidates, quick_stages(options.frame_solver),
              math::seed_from(seed, "key frame", k), scratch)) {
       const std::vector<JointVector> postures = equivalent_postures(symmetries, start.x);
-      for (const JointVector& posture : postures | std::views::take(kMaxEquivalentPostures)) {
+      for (const JointVector& posture : first_values(postures, kMaxEquivalentPostures)) {
         if (on_known_branch(key, posture)) continue;
         branches.push_back(track_branch(coarse, key, posture, options.frame_solver, scratch));
         stopped.push_back(reaches_limit(symmetries, branches.back().q));
@@ -133,12 +139,12 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   screening.max_iterations = std::min(screening.max_iterations, kScreeningIterations);
   comparing.relative_tolerance *= kComparisonToleranceFactor;
   std::vector<CandidatePath> paths;
-  for (const JointRows& sequence : sequences | std::views::take(options.candidates)) {
+  for (const JointRows& sequence : first_values(sequences, options.candidates)) {
     add_if_new(symmetries, paths,
                minimise_path(coarse, sequence, options.movement_cost, screening));
   }
   sort_by_value(paths);
-  for (CandidatePath& path : paths | std::views::take(kFullySmoothedCount)) {
+  for (CandidatePath& path : first_values(paths, kFullySmoothedCount)) {
     path = minimise_path(coarse, path.q, options.movement_cost, comparing);
   }
   sort_by_value(paths);
@@ -150,6 +156,7 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
 CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
                            const JointVector& posture, const MapOptions& options) {
   std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
+  frame = std::min(frame, frames.back());
   const auto next = std::ranges::lower_bound(frames, frame);
   const auto key = static_cast<int>(next - frames.begin());
   if (*next != frame) frames.insert(next, frame);

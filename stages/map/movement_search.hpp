@@ -26,8 +26,8 @@ CandidatePath smooth_movement(const MappingProblem& problem, const JointRows& st
 std::vector<CandidatePath> search_movement(const MappingProblem& problem, const MapOptions& options,
                                            std::uint64_t seed);
 
-/// Returns a path through or near a posture at a frame: tracked from there to both ends, smoothed
-/// on the coarse grid and refined over all frames.
+/// Returns a path through or near a posture at a frame, the last one if it is beyond that: tracked
+/// from there to both ends, smoothed on the coarse grid and refined over all frames.
 CandidatePath path_through(const MappingProblem& problem, std::size_t frame,
                            const JointVector& posture, const MapOptions& options);
 

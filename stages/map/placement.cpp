@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/robot/forward_kinematics.hpp"
+#include "core/robot/standing.hpp"
 #include "core/robot/tree.hpp"
 #include "stages/map/constants.hpp"
 #include "stages/map/finger_curve.hpp"
@@ -61,6 +62,11 @@ bool is_hand_only(const RobotModel& robot) {
   return joints <= kMaxWristJoints &&
          std::ranges::find(robot.joint_centres, "arm", &RobotModel::JointCentre::chain) ==
              robot.joint_centres.end();
+}
+
+std::string standing_text(const RobotModel& robot, const PlacementOptions& options) {
+  if (is_hand_only(robot)) return "";
+  return robot::standing_words(robot::standing_of(robot), Quat(rotation_of(options)));
 }
 
 Pose place_hand(const RobotModel& robot, const PlacementOptions& options) {

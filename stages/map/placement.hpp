@@ -1,12 +1,20 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
 
 namespace morphe::map {
+
+/// The command that found a placement.
+enum class PlacementFinder { place };
+/// Returns the names of the values, in their order.
+constexpr std::array<std::string_view, 1> names_of(PlacementFinder) { return {"place"}; }
 
 /// The placement of the robot relative to the human (config section `placement`): the paper's
 /// common base frame. The human shoulder is taken from the beginning of the movement.
@@ -18,6 +26,8 @@ struct PlacementOptions {
   };
   std::vector<ElementaryRotation> rotation;  ///< world_from_base, multiplied from left to right
   Vec3 shoulder_offset = Vec3::Zero();  ///< from the human's to the robot's shoulder, in world [m]
+  /// The command that found it: advice then does not name this command.
+  std::optional<PlacementFinder> found_by;
 };
 template <class Fields>
 void fields(Fields& f, PlacementOptions::ElementaryRotation& o) {
@@ -28,6 +38,7 @@ template <class Fields>
 void fields(Fields& f, PlacementOptions& o) {
   f("rotation", o.rotation);
   f("shoulder_offset", o.shoulder_offset);
+  f("found_by", o.found_by);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const PlacementOptions& options);
@@ -46,6 +57,10 @@ Pose place_robot(const RobotModel& robot, const Vec3& human_shoulder,
 /// Returns true if the robot is a hand alone: it has no joint centre of an arm, and at most
 /// kMaxWristJoints joints move its palm.
 bool is_hand_only(const RobotModel& robot);
+
+/// Returns how the base stands with this placement, in robot::standing_words(): "hangs, tilted by
+/// 8 degrees from straight down"; "" for a hand alone, which has no base.
+std::string standing_text(const RobotModel& robot, const PlacementOptions& options);
 
 /// Returns the pose of the base of a hand alone, whose goals are in the human hand's own frame. Its
 /// palm, all joints at zero, has the pose of the human's hand, rotated and shifted by the options:

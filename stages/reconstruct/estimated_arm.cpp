@@ -71,6 +71,8 @@ void estimate_arm(const human::ArmLengths& lengths, const HumanOptions& human,
         human::elbow_from_swivel(motion.shoulder[i], motion.wrist[i], lengths, human.elbow_swivel);
   }
   motion.estimated.push_back("elbow");
+  motion.reconstruction_notes.push_back(
+      "the elbow was not recorded: it is estimated from shoulder, wrist and human.elbow_swivel");
 }
 
 }  // namespace morphe::reconstruct

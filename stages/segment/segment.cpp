@@ -193,8 +193,8 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
   for (const ObjectMotion& object : hand.motions)
     splits_s.insert(splits_s.end(), {object.begin_s, object.end_s});
   std::vector<MovementUnit> units = find_movement_units(hand.signals, options, splits_s);
-  const auto first_weak =
-      std::ranges::stable_partition(units, std::logical_not{}, &MovementUnit::weak).begin();
+  const auto first_weak = std::stable_partition(
+      units.begin(), units.end(), [](const MovementUnit& unit) { return !unit.weak; });
   const std::vector<MovementUnit> weak(first_weak, units.end());
   units.erase(first_weak, units.end());
   std::vector<Movement> movements;

@@ -7,6 +7,7 @@
 #include "stages/verify/attached_object.hpp"
 #include "stages/verify/frame_poses.hpp"
 #include "stages/verify/mesh.hpp"
+#include "stages/verify/object_travel.hpp"
 #include "stages/verify/separation.hpp"
 
 namespace morphe::verify {
@@ -28,34 +29,6 @@ constexpr int kMaxContactBisections = 1000000;
 /// Distances are evaluated exactly up to the required one plus this multiple of the travel in the
 /// interval, so that the next pieces can skip the pair.
 constexpr double kLookaheadRatio = 8;
-
-/// The greatest distance that any point of an object has travelled since the object's first sample.
-struct ObjectTravel {
-  const SceneObject* object = nullptr;
-  std::vector<double> travelled;  ///< [K] at the object's samples [m]
-
-  double until(double time_s) const {
-    const std::vector<double>& time = object->time;
-    const std::ptrdiff_t after = std::ranges::upper_bound(time, time_s) - time.begin();
-    if (after == 0) return travelled.front();
-    if (after == std::ssize(time)) return travelled.back();
-    const double share = (time_s - time[after - 1]) / (time[after] - time[after - 1]);
-    return travelled[after - 1] + share * (travelled[after] - travelled[after - 1]);
-  }
-};
-
-ObjectTravel object_travel(const SceneObject& object) {
-  ObjectTravel travel{&object, {0.0}};
-  if (!has_valid_shape(object)) return travel;
-  const double radius = object.shape == Shape::sphere ? 0.0 : bounding_radius(object);
-  for (int k = 1; k < std::ssize(object.time); ++k) {
-    travel.travelled.push_back(
-        travel.travelled.back() + (object.position[k] - object.position[k - 1]).norm() +
-        radius * angle_between(object.orientation[k - 1], object.orientation[k]));
-  }
-  return travel;
-}
-
 /// The poses of all bodies at one instant.
 struct Snapshot {
   std::vector<Pose> base_from_frame, object_from_base;
@@ -69,6 +42,7 @@ class ContactVerifier {
                   ViolationLog& violations)
       : robot_(robot), plan_(plan), curve_(curve), violations_(violations) {
     pairs_ = contact_pairs(robot, plan);
+    bound_.assign(pairs_.size(), -kInfinity);
     window_ = touch_window(plan.movement.phases);
     for (const SceneObject& object : plan.scene.objects) {
       object_travels_.push_back(object_travel(object));
@@ -77,6 +51,8 @@ class ContactVerifier {
     motion_bounds_.resize(pairs_.size(), robot.lower.size());
     for (int i = 0; i < std::ssize(pairs_); ++i) motion_bounds_.row(i) = pairs_[i].motion_bound;
     attached_ = find_attached_object(robot, plan, *curve.trajectory);
+    for (const ContactPair& pair : pairs_)
+      kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair)});
     if (attached_.object < 0) return;
     const double radius = bounding_radius(plan.scene.objects[attached_.object]);
     const Vec3 centre = attached_.frame_from_object.translation();
@@ -87,20 +63,20 @@ class ContactVerifier {
 
   double run() {
     double clearance = kInfinity;
-    reset_distance_bounds();
     verify_sample(0, clearance);
     for (int piece = 0; piece < curve_.pieces; ++piece) {
       const PieceInterval whole = make_interval(piece, 0, 1);
-      verify_interval(whole, candidate_pairs(whole, [&](const ContactPair& pair) {
-                        return required_clearance_in(pair, whole);
-                      }));
+      verify_interval(whole, candidate_pairs(whole, clearance));
       verify_sample(piece + 1, clearance);
     }
-    reset_distance_bounds();
-    for (int piece = 0; piece < curve_.pieces; ++piece) {
-      const PieceInterval whole = make_interval(piece, 0, 1);
-      refine_clearance(whole, candidate_pairs(whole, [&](const ContactPair&) { return clearance; }),
-                       clearance);
+    for (auto first = near_pairs_.begin(); first != near_pairs_.end();) {
+      const int piece = first->piece;
+      std::vector<int> near;
+      for (; first != near_pairs_.end() && first->piece == piece; ++first) {
+        if (!(first->bound >= clearance) || kinds_[first->index].is_attached_target)
+          near.push_back(first->index);
+      }
+      refine_clearance(make_interval(piece, 0, 1), near, clearance);
     }
     return clearance;
   }
@@ -115,9 +91,10 @@ class ContactVerifier {
     const double limit = std::isfinite(stored) ? stored + kStoredClearanceTolerance_m : kInfinity;
     double least = kInfinity;
     bool poses_updated = false;
+    const bool in_window = window_.contains(time_s, time_s);
     for (int i = 0; i < std::ssize(pairs_); ++i) {
       const ContactPair& pair = pairs_[i];
-      const bool touching = may_touch_in(pair, time_s, time_s);
+      const bool touching = in_window && kinds_[i].may_touch;
       const double required = required_distance(pair, touching);
       const double enough =
           touching ? required : std::max({required, clearance, std::min(limit, least)});
@@ -151,8 +128,6 @@ class ContactVerifier {
     return {piece, s0, s1, middle, at(s0), at(middle), at(s1), half_s};
   }
 
-  void reset_distance_bounds() { bound_.assign(pairs_.size(), -kInfinity); }
-
   bool is_attached_target(const ContactPair& pair) const {
     return pair.is_object && pair.other == attached_.object;
   }
@@ -164,21 +139,23 @@ class ContactVerifier {
   /// Returns true if a pair's previous distance bound is at least `enough`. For the target, if it
   /// is attached, no bound is used: its pose may jump when the hand attaches or releases it.
   bool is_known_clear(int index, double enough) const {
-    return !is_attached_target(pairs_[index]) && bound_[index] >= enough;
+    return bound_[index] >= enough && !kinds_[index].is_attached_target;
   }
 
-  /// Lowers the distance bounds of all pairs by their greatest travel in a whole piece, and returns
-  /// the pairs that may come closer than `enough(pair)` according to these bounds.
-  template <class Enough>
-  std::vector<int> candidate_pairs(const PieceInterval& whole, const Enough& enough) {
+  /// Lowers the distance bounds of all pairs by their greatest travel in a whole piece. Returns the
+  /// pairs that may then come closer than required, and keeps those that may come closer than
+  /// `clearance`, the least distance at the samples so far: others cannot lower it.
+  std::vector<int> candidate_pairs(const PieceInterval& whole, double clearance) {
     approach_speed_.noalias() = motion_bounds_ * curve_.speed.row(whole.piece).transpose();
     std::vector<int> candidates;
     for (int i = 0; i < std::ssize(pairs_); ++i) {
-      const ContactPair& pair = pairs_[i];
       double travel = whole.half_s * approach_speed_[i];
-      if (pair.is_object) travel += max_object_travel(whole, pair);
+      if (kinds_[i].is_object) travel += max_object_travel(whole, pairs_[i]);
       bound_[i] -= 2 * travel;
-      if (!is_known_clear(i, enough(pair))) candidates.push_back(i);
+      const double required = kinds_[i].may_touch ? required_clearance_in(pairs_[i], whole)
+                                                  : plan_.tolerances.required_clearance;
+      if (!is_known_clear(i, required)) candidates.push_back(i);
+      if (!is_known_clear(i, clearance)) near_pairs_.push_back({whole.piece, i, bound_[i]});
     }
     return candidates;
   }
@@ -221,11 +198,9 @@ class ContactVerifier {
     std::vector<int> undecided;
     for (const int index : pairs) {
       const ContactPair& pair = pairs_[index];
-      bound_[index] = -kInfinity;
       if (may_touch_in(pair, part.begin_s, part.end_s)) continue;
       const double travel = max_travel(part, pair);
       const double value = distance(pair, clearance + kLookaheadRatio * travel);
-      bound_[index] = value - travel;
       if (!may_touch_in(pair, part.middle_s, part.middle_s)) clearance = std::min(clearance, value);
       if (value - travel >= clearance - kClearanceResolution_m ||
           !(travel > 0.1 * kClearanceResolution_m && travel < kMaxContactTravel_m))
@@ -325,7 +300,13 @@ class ContactVerifier {
   const Curve& curve_;
   ViolationLog& violations_;
   int bisections_left_ = kMaxContactBisections, clearance_bisections_left_ = kMaxContactBisections;
+  /// The properties of a pair that are asked for in every piece, apart from its others: these fit
+  /// into the cache.
+  struct PairKind {
+    bool is_object = false, may_touch = false, is_attached_target = false;
+  };
   std::vector<ContactPair> pairs_;
+  std::vector<PairKind> kinds_;  ///< [pairs]
   TouchWindow window_;
   std::vector<ObjectTravel> object_travels_;
   std::vector<Mesh> meshes_;  ///< [objects] empty if the object is not a mesh
@@ -335,6 +316,12 @@ class ContactVerifier {
   JointVector approach_speed_;  ///< [pairs] greatest in the current piece, of the joints [m/s]
   /// [pairs] lower bound of the distance at the end of the last evaluated interval [m]
   std::vector<double> bound_;
+  /// A pair that may come closer than the clearance in a piece, with its bound there [m].
+  struct NearPair {
+    int piece = 0, index = 0;
+    double bound = 0;
+  };
+  std::vector<NearPair> near_pairs_;  ///< in the order of the pieces
   Snapshot poses_;
   JointVector q_;
 };

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "stages/verify/contact.hpp"
 #include "stages/verify/frame_poses.hpp"
@@ -9,10 +11,13 @@
 namespace morphe::verify {
 namespace {
 
-bool is_allowed_pair(const RobotModel& robot, int first, int second) {
-  return std::ranges::any_of(robot.allowed_collision_pairs, [&](const auto& pair) {
-    return (pair[0] == first && pair[1] == second) || (pair[0] == second && pair[1] == first);
-  });
+/// Returns the allowed pairs of capsules, the lower index first, in ascending order.
+std::vector<std::pair<int, int>> allowed_pairs(const RobotModel& robot) {
+  std::vector<std::pair<int, int>> allowed;
+  for (const auto& pair : robot.allowed_collision_pairs)
+    allowed.push_back(std::minmax(pair[0], pair[1]));
+  std::ranges::sort(allowed);
+  return allowed;
 }
 
 }  // namespace
@@ -38,10 +43,11 @@ TouchWindow touch_window(const std::vector<Phase>& phases) {
 std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan) {
   std::vector<ContactPair> pairs;
   const std::vector<RobotModel::Capsule>& capsules = robot.capsules;
+  const std::vector<std::pair<int, int>> allowed = allowed_pairs(robot);
   for (int i = 0; i < std::ssize(capsules); ++i) {
     for (int j = i + 1; j < std::ssize(capsules); ++j) {
       const RobotModel::Capsule &a = capsules[i], &b = capsules[j];
-      if (a.frame == b.frame || is_allowed_pair(robot, i, j)) continue;
+      if (a.frame == b.frame || std::ranges::binary_search(allowed, std::pair(i, j))) continue;
       pairs.push_back({i, j, false, false, false, a.radius + b.radius,
                        relative_motion_bound(robot, i, j), a.name + "/" + b.name});
     }

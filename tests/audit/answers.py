@@ -21,7 +21,8 @@ QUICK = ("map.starts=4", "map.candidates=1", "map.coarse_step_s=0.1")
 BRANCHES = tuple((f"seed={seed}", *QUICK[:2], *ALIKE) for seed in range(1, 6))  # searches that find several branches
 KEYS = "axes|unit|rate|hand|static[-_]trial|names"
 TIP_M, JOINT_RAD = 0.001, 0.05  # harmless: no plan differs by more
-LIMITS_S = 0.1                  # nor begins or ends otherwise; the hand rests there
+LIMITS_S = 0.1                  # nor begins or ends otherwise, unless the hand rests meanwhile:
+REST_M = 0.005                  # its tips move less
 POINT_M = 1e-6                  # a point that was mended is where it was
 
 
@@ -184,6 +185,19 @@ def at_times(time, rows, wanted):
     return np.stack([np.interp(wanted, time, column) for column in flat.T], axis=1).reshape(-1, *rows.shape[1:])
 
 
+def motion_apart(one, other, edge):
+    """The time between the begins (edge 0) or ends (1) of two movements [s]; 0 if the tips rest meanwhile."""
+    apart = abs(one.limits[edge] - other.limits[edge])
+    if any(abs(movement.time[-edge] - movement.limits[edge]) > LIMITS_S for movement in (one, other)):
+        return apart  # the tips are not planned there
+    first, last = sorted((one.time[-edge], other.time[-edge]))
+    for movement in (one, other):
+        tips = movement.tips[(movement.time >= first) & (movement.time <= last)]
+        if len(tips) and np.nanmax(np.linalg.norm(tips - tips[0], axis=2)) > REST_M:
+            return apart
+    return 0.0
+
+
 def compare_movements(one, other):
     """(words, tips [m], joints [rad]): the words say a difference that no number states."""
     if not len(one.joints) or not len(other.joints):
@@ -191,7 +205,7 @@ def compare_movements(one, other):
         return ("" if same else f"{one.status} instead of {other.status}: {one.detail}"), 0.0, 0.0
     if one.phases != other.phases:
         return f"phases {' '.join(one.phases)} instead of {' '.join(other.phases)}", 0.0, 0.0
-    apart = max(abs(a - b) for a, b in zip(one.limits, other.limits))
+    apart = max(motion_apart(one, other, edge) for edge in (0, 1))
     if apart > LIMITS_S:
         return f"begins or ends {apart:.2f} s apart", 0.0, 0.0
     if (one.tip_has_goal != other.tip_has_goal).any():

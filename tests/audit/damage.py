@@ -13,6 +13,7 @@ alone. The answer to a damage is one of
   harmless   no tip of the mapped path differs by more than 1 mm, no joint by more than 0.05 rad, from
              one of the undamaged plans on the same branch
   unplanned  neither the undamaged recording nor this one has a movement
+  undecidable  not named, and damage_list.py states why no file can tell it from an undamaged one
   WRONG      mended, but neither the points nor the plan are those of the undamaged recording
   SILENT     anything else
 --every-exchange exchanges each two markers of arm and hand instead, for the whole trial and from the
@@ -34,7 +35,7 @@ from synthetic_takes import synthesize
 from take import Roles
 from verdicts import Study
 
-VERDICTS = ("mended", "asked", "noticed", "told", "harmless", "unplanned", "WRONG", "SILENT")
+VERDICTS = ("mended", "asked", "noticed", "told", "harmless", "unplanned", "undecidable", "WRONG", "SILENT")
 FAULTS = ("WRONG", "SILENT")
 QUICK_RECORDINGS = "ADL001DR2"
 QUICK_DAMAGES = ("exchange_digits_from", "exchange_hand_whole", "spike_index_200mm_1_reach", "gap_index_0.1s_reach",
@@ -48,9 +49,9 @@ def print_table(verdicts):
         counts[one.damage][one.verdict] += 1
         counts["all"][one.verdict] += 1
     width = max(map(len, counts)) + 1
-    print(f"{'damage':{width}}" + "".join(f"{word:>10}" for word in VERDICTS))
+    print(f"{'damage':{width}}" + "".join(f"{word:>12}" for word in VERDICTS))
     for damage in sorted(counts, key=lambda name: (name == "all", list(counts).index(name))):
-        print(f"{damage:{width}}" + "".join(f"{counts[damage][word] or '':>10}" for word in VERDICTS))
+        print(f"{damage:{width}}" + "".join(f"{counts[damage][word] or '':>12}" for word in VERDICTS))
     for one in verdicts:
         if one.verdict in FAULTS:
             print(f"{one.verdict} {one.recording} {one.damage}: tips {one.tips_mm} mm, joints {one.joints_rad} rad"

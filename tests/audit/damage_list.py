@@ -20,6 +20,7 @@ class Damage:
     asks: tuple = ()     # keys of questions that name it
     told: str = ""       # pattern of the import notes, the plan's detail or the error that name it
     exact: bool = False  # mended means that all points are as they were
+    undecidable: str = ""  # why the file cannot tell this damage from an undamaged recording, if it does not
 
 
 MIDDLE = "reach"
@@ -29,10 +30,14 @@ FRAME = dict(fits=("mirrored", "vertical"), asks=("axes", "hand"), told="implaus
 SIZE = dict(fits=("scale", "static_trial"), asks=("unit",))
 TIME = dict(fits=("time_base", "lost_rows", "repeated_rows", "frozen_rows"), asks=("rate",))
 LOST = ("lost_rows",)
-GAPS = dict(fits=("missing_goals",), told=r"not seen|hidden|missing|never visible|without .*goal|no_goal|no_shoulder")
+GAPS = dict(fits=("missing_goals", "incomplete_movement"), told=r"not seen|hidden|missing|never visible|without .*goal|no_goal|no_shoulder")
 CUT = dict(fits=("incomplete_movement",), told=r"no_movement|in motion|incomplete")
-GONE = dict(fits=("missing_goals", "no_grasp"), 
+GONE = dict(fits=("missing_goals", "no_grasp", "static_trial"),
             told=r"never visible|not recorded|three are needed|_tip has goals|no_shoulder|no_goal|no_movement")
+TEMPO = ("a slower or quicker person: rms frequencies of unchanged recordings reach from 0.44 to 1.0 Hz, "
+         "a factor of 2.3")
+TILT = "people lean, and hold their arms, up to 24 degrees from upright in unchanged recordings"
+STATURE = "people's sizes, as markers give them, reach from 0.76 to 1.1 of an adult's in unchanged recordings"
 STATIC = dict(fits=("static_trial", "exchanged_markers"), asks=("static_trial", "unit"))
 
 
@@ -66,7 +71,7 @@ def point_damages():
                      spike(p, part, size, rows, place), **spikes)
     yield Damage("spike_both_digits", lambda p: [spike(p, part, 150) for part in ("thumb", "index")], **spikes)
     yield Damage("spikes_index", lambda p: many_spikes(p, [p.point("index")], 0.01, 100), **spikes)
-    yield Damage("spikes_all", lambda p: many_spikes(p, every(p), 0.01, 100), ("spike", "jitter"))
+    yield Damage("spikes_all", lambda p: many_spikes(p, every(p), 0.01, 100), ("spike", "jitter", "step", "lost_rows"))
     steps = dict(fits=("step", "static_trial"))  # the cluster has another shape than in the static trial
     for part, size in (("index", 20), ("index", 50), ("index", 100), ("thumb", 30), ("hand", 30), ("upper", 40),
                        ("wrist", 50)):
@@ -106,17 +111,21 @@ def frame_damages():
                          "x_up": tilted(90, 1), "upside_down": np.diag([1, -1, -1]), "about_vertical_90": tilted(90, 2),
                          "tilted_10": tilted(10), "tilted_20": tilted(20),
                          "tilted_45": tilted(45, 1)}.items():
-        yield Damage(f"axes_{name}", lambda p, matrix=matrix: turn(p, matrix), **FRAME)
+        undecidable = TILT if name in ("tilted_10", "tilted_20") else ""
+        yield Damage(f"axes_{name}", lambda p, matrix=matrix: turn(p, matrix), **FRAME, undecidable=undecidable)
     for name, factor in {"cm": 0.1, "m": 1e-3, "inch": 1 / 25.4, "tenfold": 10, "thousandfold": 1000,
                          "30_percent": 1.3}.items():
-        yield Damage(f"unit_{name}_called_mm", lambda p, factor=factor: scale(p, factor), **SIZE)
+        undecidable = STATURE if name == "30_percent" else ""
+        yield Damage(f"unit_{name}_called_mm", lambda p, factor=factor: scale(p, factor), **SIZE,
+                     undecidable=undecidable)
     yield Damage("unit_mm_called_m", lambda p: call_unit(p, "m"), **SIZE)
 
 
 def row_damages():
     yield Damage("rate_third_of_header", lambda p: decimate(p, 3), **TIME)
     for factor in (0.3, 0.5, 2, 3.3):
-        yield Damage(f"rate_header_times_{factor}", lambda p, factor=factor: call_rate(p, factor), **TIME)
+        yield Damage(f"rate_header_times_{factor}", lambda p, factor=factor: call_rate(p, factor), **TIME,
+                     undecidable=TEMPO if factor <= 2 else "")
     for seconds in (0.1, 0.3, 1):
         yield Damage(f"frozen_all_{seconds}s", lambda p, seconds=seconds: frozen(p, every(p), seconds), ("frozen_rows",))
     yield Damage("frozen_index_0.3s", lambda p: frozen(p, [p.point("index")], 0.3), ("frozen_rows", "step"))
@@ -157,3 +166,13 @@ def every_exchange(roles):
             yield Damage(f"exchange_{a}_{b}_{when}", lambda p, a=a, b=b, place=place:
                          exchange(p, a, b, slice(None) if place is None else slice(getattr(p.moments, place), None)),
                          LABELS, exact=True)
+
+
+def undecidable_table():
+    """The rows of docs/audit.md about damages that no file can tell from another person."""
+    reasons = {}
+    for damage in all_damages():
+        if damage.undecidable:
+            reasons.setdefault(damage.undecidable, []).append(f"`{damage.name}`")
+    rows = [f"| {', '.join(names)} | {reason} |" for reason, names in reasons.items()]
+    return "\n".join(["| damage | reason |", "|---|---|", *rows]) + "\n"

@@ -128,6 +128,8 @@ class Study:
         if is_harmless(difference):
             planned = any(len(movement.joints) for movement in answer.movements)
             return case.verdict("harmless" if planned else "unplanned", "", difference)
+        if case.damage.undecidable:
+            return case.verdict("undecidable", case.damage.undecidable, difference)
         other = ", ".join(sorted({flag.code for flag in new_flags(answer, healthy)}))
         return case.verdict("SILENT", "; ".join(filter(None, [difference[0], other and f"other flags: {other}"])), difference)
 

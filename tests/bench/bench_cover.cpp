@@ -93,7 +93,7 @@ void compare(const std::string& name, const SceneObject& mesh, const std::vector
   std::string row =
       fmt::format("| {} | {} | {:.1f} |", name, hull.vertices.size(), 1e4 * seconds(begin));
   for (const int budget : budgets) {
-    const cover::CapsuleFit cover = cover::fit_capsules({mesh}, budget, name);
+    const cover::CapsuleFit cover = cover::fit_capsules({mesh}, {budget}, name);
     double less = 0;
     std::vector<double> found;
     begin = Clock::now();
@@ -108,7 +108,7 @@ void compare(const std::string& name, const SceneObject& mesh, const std::vector
 
 void figures(const std::string& name, const SceneObject& mesh, int budget) {
   const auto begin = Clock::now();
-  const cover::CapsuleFit cover = cover::fit_capsules({mesh}, budget, name);
+  const cover::CapsuleFit cover = cover::fit_capsules({mesh}, {budget}, name);
   const cover::FitQuality& f = cover.quality;
   fmt::print("| {} | {} | {} | {:.2f} | {:.2f} | {:.1f} | {:.1f} | {:.0f} | {:.2f} |\n", name,
              mesh.triangles.size(), cover.capsules.size(), 100 * f.coverage, 1e3 * f.largest_gap_m,

@@ -32,6 +32,16 @@ class WrongLaboratory(Journey):
                 self.assertIn(f"--axes '{axes}'", self.said.split("to paste:")[1])
                 self.expect_markers(self.folder / "out.h5", self.trial)
 
+    def test_mirrored_with_a_row_written_twice(self):
+        """The answer is tested on the rows that the import uses."""
+        self.write(lambda recorded: recorded.seen_as("-x y z"))
+        rows = (self.folder / "reach.csv").read_text().splitlines(True)
+        (self.folder / "reach.csv").write_text("".join([*rows[:60], *rows[59:]]))
+        self.arrives("import", "reach.csv", "--static-trial", "static.csv", "--forward", "recorded",
+                     "--out", "out.h5")
+        self.assertIn("mirror image of a person's", self.said)
+        self.expect_markers(self.folder / "out.h5", self.trial)
+
     def test_lying_on_the_side(self):
         self.write(lambda recorded: recorded.seen_as("x -z y"))
         self.arrives("import", "reach.csv", "--static-trial", "static.csv", "--forward", "recorded",

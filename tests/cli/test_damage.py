@@ -10,7 +10,7 @@ from support import MORPHE, RECORDINGS, SOURCE, CommandCase, main
 
 sys.path.append(str(SOURCE / "tests/audit"))
 from answers import Answer, Flag, PlannedMovement, compare_plans  # noqa: E402
-from damage_list import Damage, all_damages  # noqa: E402
+from damage_list import Damage, all_damages, undecidable_table  # noqa: E402
 from damages import Moments, Patient, exchange, lose_rows, spike  # noqa: E402
 from synthetic_takes import NOISE_MM, TrueMotion, as_clusters, synthesize  # noqa: E402
 from take import Roles, Take  # noqa: E402
@@ -57,6 +57,20 @@ class Verdicts(CommandCase):
         self.assertEqual(self.verdict(answer_of(joint_rad=0.051)), "SILENT")
         self.assertEqual(self.verdict(answer_of(limits=(0.1, 1.1))), "SILENT")
         self.assertEqual(self.verdict(Answer()), "SILENT")
+
+    def test_what_no_file_can_tell_is_undecidable_unless_a_flag_names_it(self):
+        tilt = Damage("tilt", lambda p: None, ("vertical",), undecidable="people lean")
+        self.assertEqual(self.verdict(answer_of(shift_m=0.1), tilt), "undecidable")
+        self.assertEqual(self.verdict(answer_of(shift_m=0.1, flags=[flag("vertical", np.nan, np.nan)]), tilt), "noticed")
+
+    def test_the_page_has_the_studys_tables(self):
+        page = (SOURCE / "docs/audit.md").read_text()
+        self.assertIn(undecidable_table() + "<!-- until here -->", page)
+        table = page.split("<!-- study: ")[1].split("<!-- until here -->")[0].splitlines()[3:]
+        self.assertGreaterEqual(len(table), 5)
+        for row in table:
+            counts = [int(cell) for cell in row.strip("|").split("|")[1:]]
+            self.assertTrue(80 <= sum(counts) <= len(all_damages()), row)
 
     def test_only_a_flag_that_fits_in_code_and_time_counts(self):
         def differing(*flags):

@@ -85,6 +85,13 @@ class Meant(CommandCase):
                     tried += 1
         self.assertEqual(tried, 18)
 
+    def test_values(self):
+        for value, hint in (("stored", "; it is now called 'planned'"), ("nearrest", "; did you mean 'nearest'?"),
+                            ("frobnicate", "")):
+            self.assertEqual(self.said("simulate", "plans.h5", "--out", "o", "--contacts", value),
+                             f"--contacts: must be planned or nearest, not '{value}'{hint}\n"
+                             "Run with --help for more information.\n")
+
     def test_files(self):
         config = self.folder / "pipeline.yaml"
         config.write_text("robot: {file: pa01.yaml}\n")

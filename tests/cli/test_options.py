@@ -89,7 +89,8 @@ class WithoutEffect(CommandCase):
         self.refused("--dataset", "explain", "a.h5", "--dataset", ADROIT)
         self.refused("--mass-range", "simulate", "a.h5", "--out", self.folder / "no", "--rollouts", "1",
                      "--mass-range", "0.1", "0.2")
-        self.refused("--tilt", "place", REFERENCE, "--tilt", "5")
+        self.refused("--tilt", "place", REFERENCE, "--mount", "any", "--tilt", "5")
+        self.refused("--tilt", "place", REFERENCE, "--fix", "rotation", "--tilt", "5")
         self.refused("--mount", "place", REFERENCE, "--mount", "wall", "--fix", "rotation")
 
     def test_those_that_change_a_part_are_noted_for_the_others(self):

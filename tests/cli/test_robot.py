@@ -62,7 +62,7 @@ class Shipped(CommandCase):
             for joint in report["joints"]:
                 self.assertLess(joint["lower"], joint["upper"])
                 self.assertIn(f"\n{joint['name']} ", text)
-            self.assertEqual(ElementTree.parse(svg).getroot().get("width"), "860")
+            self.assertEqual(ElementTree.parse(svg).getroot().get("width"), "1240")
             joints = ElementTree.parse(urdf).getroot().findall("joint")
             turning = [j for j in joints if j.get("type") in ("revolute", "continuous", "prismatic")]
             self.assertEqual([j.get("name") for j in turning if j.find("mimic") is None],

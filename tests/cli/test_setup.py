@@ -141,7 +141,7 @@ class Setup(CommandCase):
         # Under another name, so that the package has to be named; one box is enough for that.
         package = package.rename(self.folder / "renamed")
         elsewhere = self.folder / "alone.urdf"
-        elsewhere.write_text(arm(3, lambda k: mesh(k) if k == 1 else ""))
+        elsewhere.write_text(arm(6, lambda k: mesh(k) if k == 1 else ""))
         away, said = self.set_up(elsewhere)
         self.assertIn("made_description", said)
         named, said = self.set_up(elsewhere, "--package", f"made_description={package}")
@@ -181,13 +181,66 @@ class Setup(CommandCase):
         self.refused("<robot xmlns:xacro='http://www.ros.org/wiki/xacro' name='x'><xacro:arm/></robot>", "xacro")
         self.refused(arm(2), "neither a hand", "nor an arm")
 
+    def test_several_arms_are_asked_about_and_one_is_taken(self):
+        chain = arm(7)
+        joints = chain[chain.index("<link name='l1'>"):chain.index("</robot>")]
+        for old, new in (("name='l", "name='left_l"), ("link='l", "link='left_l"), ("name='j", "name='left_j"), ("link='left_l0'", "link='l0'")):
+            joints = joints.replace(old, new)
+        joints = joints.replace("<origin xyz='0 0 0.2'/>", "<origin xyz='0 0.3 0.2'/>", 1)
+        both = self.folder / "both.urdf"
+        both.write_text(chain.replace("</robot>", joints + "</robot>"))
+        out = self.folder / "both.yaml"
+        asked = morphe("robot", "setup", both, "--out", out)
+        self.assertEqual(asked.returncode, 2)
+        self.assertIn("has 2 arms: select one with --arm LINK", asked.stderr)
+        self.assertRegex(asked.stderr, r"\n +left_l7 +left +left_j1 +left_j7 +7 ")
+        self.assertFalse(out.exists())
+        said = self.succeeds("robot", "setup", both, "--out", out, "--arm", "left_l7").stdout
+        self.assertRegex(said, r"\nshoulder_centre +left_l1 +0\.0 +300\.0 +400\.0 +derived")
+        self.assertRegex(said, r"\nelbow_centre +left_l4 +0\.0 +300\.0 +800\.0 +derived")
+        self.assertIn("first: left_j1, last: left_j7", out.read_text())
+        # The pair of bones is named if nothing shows it.
+        short = self.folder / "short.urdf"
+        short.write_text(arm(3))
+        self.assertIn("--elbow JOINT", morphe("robot", "setup", short, "--out", out).stderr)
+        self.assertIn("elbow_centre", self.succeeds("robot", "setup", short, "--out", out, "--elbow", "j2").stdout)
+
     def test_missing_limits_are_completed_or_asked_for(self):
-        bare = arm(3).replace(" velocity='2' effort='10'", "")
+        bare = arm(6).replace(" velocity='2' effort='10'", "")
         urdf = self.folder / "bare.urdf"
         urdf.write_text(bare)
         out = self.folder / "bare.yaml"
         self.succeeds("robot", "setup", urdf, "--out", out)
         self.assertRegex(out.read_text(), r"joint: j1, velocity: .*# assumed")
+
+    def test_limits_are_asked_for_and_given(self):
+        urdf, out = self.folder / "degrees.urdf", self.folder / "degrees.yaml"
+        urdf.write_text(arm(7).replace("lower='-2' upper='2'", "lower='-130' upper='130'", 1))
+        asked = morphe("robot", "setup", urdf, "--out", out)
+        self.refuses(asked, f"{urdf}:1", "degrees", "--limit j1=-2.269..2.269")
+        answer = re.search(r"--limit \S+?(?=\))", asked.stderr)[0].split()
+        self.succeeds("robot", "setup", urdf, "--out", out, *answer)
+        self.assertAlmostEqual(self.json_of("robot", out)["joints"][0]["upper"], 2.269)
+        for wrong in ("j1", "j1=2", "j1=2..1", "=1..2", "j1=a..b"):
+            self.refuses(morphe("robot", "setup", urdf, "--out", out, "--limit", wrong), f"--limit {wrong}",
+                         "JOINT=LOWER..UPPER")
+
+    def test_what_is_assumed_is_kept_with_the_robot(self):
+        urdf = self.folder / "assumed.urdf"
+        urdf.write_text(arm(7).replace("lower='-2' upper='2' velocity='2'", "lower='0' upper='0' velocity='0'", 1)
+                        .replace("velocity='2'", "velocity='30'", 1))
+        out, said = self.set_up(urdf)
+        checks = re.findall(r"^check: (.*)$", said, re.M)
+        self.assertTrue(any(line.startswith("j1: locked") for line in checks), said)
+        self.assertTrue(any("j2 (3.14 instead of 30 rad/s)" in line for line in checks), said)
+        self.assertEqual(self.json_of("robot", out)["checks"], checks)
+        self.assertEqual(self.json_of("robot", urdf)["checks"], checks)
+        self.assertEqual(re.findall(r"^check: (.*)$", self.succeeds("robot", out).stdout, re.M), checks)
+        # A line that somebody deletes is done.
+        text = out.read_text()
+        out.write_text(re.sub(r"  - 'j1: locked.*\n", "", text))
+        _, said = self.set_up(urdf)
+        self.assertEqual(re.findall(r"^check: (.*)$", said, re.M), [line for line in checks if "locked" not in line])
 
     def test_a_mimic_of_a_mimic_is_the_first_ones(self):
         extra = ""
@@ -196,7 +249,7 @@ class Setup(CommandCase):
                       "<axis xyz='0 1 0'/><limit lower='-2' upper='2' velocity='2' effort='1'/>"
                       f"<mimic joint='{of}' multiplier='0.5'/></joint>")
         urdf = self.folder / "mimic.urdf"
-        urdf.write_text(arm(3, extra=extra))
+        urdf.write_text(arm(6, extra=extra.replace("l3", "l6")))
         self.assertRegex(self.succeeds("robot", urdf).stdout, r"\nm2 +0.25 x j1 \+ 0 deg")
 
     def test_a_shape_that_stands_for_a_grippers_fingers_is_left_out(self):
@@ -226,7 +279,8 @@ class Setup(CommandCase):
         short.write_bytes(b" " * 80 + struct.pack("<I", 10_000_000) + b"\0" * 500)
         names = {1: "huge.stl", 2: "short.stl", 3: "/etc/passwd"}
         urdf = self.folder / "meshes.urdf"
-        urdf.write_text(arm(3, lambda k: f"<collision><geometry><mesh filename='{names[k]}'/></geometry></collision>"))
+        urdf.write_text(arm(6, lambda k: f"<collision><geometry><mesh filename='{names[k]}'/></geometry></collision>"
+                            if k in names else ""))
         begin = time.monotonic()
         result = morphe("robot", "setup", urdf, "--out", self.folder / "meshes.yaml")
         self.assertLess(time.monotonic() - begin, 60)

@@ -105,6 +105,8 @@ def texts():
         b'length="1"/></geometry></collision></link><link name="b"/><joint name="j" type="revolute"><parent link="a"/>'
         b'<child link="b"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" velocity="2" effort="1"/><mimic joint="j" '
         b'multiplier="2"/></joint></robot>')
+    for name in ("06_joints_in_one_body", "17_held_and_nonlinear", "19_fromto", "26_hand"):
+        yield "mjcf", name, (SOURCE / f"tests/data/mjcf/{name}.xml").read_bytes()
     for name in ("box_panda/scene0001", "cage_panda/scene0002"):
         yield "moveit", Path(name).stem, (DATA / f"motionbenchmaker/{name}.yaml").read_bytes()
     for name in ("pyomeca", "kineticstoolkit", "ue-adl"):

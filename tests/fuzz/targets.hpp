@@ -17,7 +17,7 @@ struct Target {
   bool in_child = false;  ///< a library of others reads first, in a child process
 };
 
-std::vector<Target> text_targets();       ///< YAML, URDF, planning scenes, manifests, STL, meshes
+std::vector<Target> text_targets();  ///< YAML, URDF, MJCF, planning scenes, manifests, STL, meshes
 std::vector<Target> recording_targets();  ///< a target a format: "import-vicon-csv", …
 std::vector<Target> store_targets();      ///< a journal's bytes, plans.h5, demonstrations.h5
 std::vector<Target> verify_targets();     ///< an honest plan, with numbers of it changed

@@ -4,6 +4,7 @@
 #include "core/motion/input_error.hpp"
 #include "core/moveit/planning_scene.hpp"
 #include "core/robot/files/description.hpp"
+#include "core/robot/files/mjcf_urdf.hpp"
 #include "core/robot/files/urdf_model.hpp"
 #include "stages/import/folders/manifest.hpp"
 #include "targets.hpp"
@@ -59,6 +60,10 @@ std::vector<Target> text_targets() {
       {"set", read_set},
       {"robot", [](std::string_view bytes) { robot::load_robot(as_file(bytes, "a.yaml")); }},
       {"urdf", [](std::string_view bytes) { robot::load_urdf_model(as_file(bytes, "a.urdf")); }},
+      {"mjcf",
+       [](std::string_view bytes) {
+         robot::urdf_of(robot::read_mjcf(as_file(bytes, "a.xml")), "folder");
+       }},
       {"moveit",
        [](std::string_view bytes) { moveit::read_moveit_scene(as_file(bytes, "scene.yaml")); }},
       {"manifest",

@@ -61,7 +61,8 @@ struct Assembly {
   std::vector<int> frames_with_geometry;  ///< of links that a URDF gives a visual or a shape
   std::vector<FixedJoint> fixed_joints;
   std::vector<NaturalJoint> natural;
-  config::ErrorList problems;  ///< all errors found, thrown together at the end
+  std::vector<std::string> checks;  ///< of all files
+  config::ErrorList problems;       ///< all errors found, thrown together at the end
 };
 
 inline constexpr double kCoincidentTolerance_m = 1e-6;  ///< joints nearer than this coincide

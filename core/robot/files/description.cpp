@@ -7,6 +7,7 @@
 
 #include "core/motion/human_motion.hpp"
 #include "core/robot/files/assembly.hpp"
+#include "core/robot/files/robot_file.hpp"
 #include "core/robot/files/robot_schema.hpp"
 
 namespace morphe::robot {
@@ -154,6 +155,20 @@ void read_natural_posture(Assembly& assembly, const FileScope& scope,
   }
 }
 
+/// Reads the YAML of a description. Throws InputError for a file of another kind.
+config::ConfigNode load_node(const std::filesystem::path& file) {
+  if (std::filesystem::is_regular_file(file)) {
+    const RobotFile kind = robot_file_kind(file);
+    if (kind != RobotFile::description) {
+      throw InputError(
+          fmt::format("{0}: is {1}, not a robot description; make one: morphe robot setup {0} "
+                      "--out OUT.yaml",
+                      file.string(), kind == RobotFile::urdf ? "a URDF" : "an MJCF"));
+    }
+  }
+  return config::ConfigNode::load(file);
+}
+
 void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
   const MountPoint mount = read_mount_point(assembly, scope, node);
   remove_parent_wrist_tip(assembly, mount);
@@ -161,8 +176,8 @@ void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files; does a file include itself?");
   const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
-  const FileScope part = read_description(config::ConfigNode::load(node.folder() / file.text()),
-                                          mount, scope.prefix + prefix, assembly);
+  const FileScope part = read_description(load_node(node.folder() / file.text()), mount,
+                                          scope.prefix + prefix, assembly);
   scope.links.insert(part.links.begin(), part.links.end());
 }
 
@@ -192,6 +207,8 @@ FileScope read_description(const config::ConfigNode& root, const MountPoint& bas
   }
   read_natural_posture(assembly, scope, root);
   attempt([&] { read_centres(assembly, scope, optional_items(root, "joint_centres")); });
+  for (const config::ConfigNode& sentence : optional_items(root, "check"))
+    attempt([&] { assembly.checks.push_back(sentence.text()); });
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
   if (assembly.problems.none()) root.require_all_keys_read();
   if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
@@ -213,13 +230,14 @@ RobotDescription build_description(const config::ConfigNode& root) {
   finalize_robot(assembly);
   problems.throw_if_any();
   return {std::move(assembly.table),   std::move(assembly.files), std::move(assembly.notes),
-          std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs)};
+          std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs),
+          std::move(assembly.checks)};
 }
 
 }  // namespace
 
 RobotDescription load_robot(const std::filesystem::path& file) {
-  return build_description(config::ConfigNode::load(file));
+  return build_description(load_node(file));
 }
 
 RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file) {

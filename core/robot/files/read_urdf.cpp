@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/robot/files/robot_file.hpp"
 #include "core/robot/files/urdf_joints.hpp"
 
 namespace morphe::robot {
@@ -127,7 +128,28 @@ struct Reader {
                     joint.name, *key == 'a' ? "n" : "", key, key));
   }
 
+  /// Refuses limits of the file in another unit, unless the description replaces them.
+  void expect_believed_limits(const UrdfJoint& joint) const {
+    const auto entry = own.find(joint.name);
+    const bool replaced =
+        entry != own.end() && entry->second.has("lower") && entry->second.has("upper");
+    if (!joint.lower || replaced) return;
+    const bool slides = joint.kind == JointKind::prismatic;
+    const double most = slides ? kMaxBelievedLimit_m : kMaxBelievedLimit_rad;
+    if (std::max(std::abs(*joint.lower), std::abs(*joint.upper)) <= most) return;
+    const double unit = slides ? 1e-3 : std::numbers::pi / 180;
+    const double lower = unit * *joint.lower, upper = unit * *joint.upper;
+    fail(joint, ".limit",
+         fmt::format(
+             "{:g} to {:g} {} are {} or wrong (beyond {:.3g} {}): correct the file, or give "
+             "{{joint: {}, lower: {:.4g}, upper: {:.4g}}} in urdf.limits (robot setup: "
+             "--limit {}={:.4g}..{:.4g})",
+             *joint.lower, *joint.upper, slides ? "m" : "rad", slides ? "millimetres" : "degrees",
+             most, slides ? "m" : "rad", joint.name, lower, upper, joint.name, lower, upper));
+  }
+
   void add_limits(const UrdfJoint& joint) {
+    expect_believed_limits(joint);
     const bool turns_round = joint.kind == JointKind::continuous;
     const double round = 2 * std::numbers::pi;
     const auto lower = limit_value(joint, "lower", turns_round ? -round : joint.lower);
@@ -137,13 +159,17 @@ struct Reader {
            "is missing; add it to the URDF or give `lower` and `upper` in urdf.limits");
     }
     if (*lower > *upper) own.at(joint.name)["upper"].fail("must be above lower");
-    const double velocity = positive_limit(joint, "velocity", joint.velocity);
-    const double acceleration = positive_limit(joint, "acceleration", std::nullopt);
-    const double jerk = positive_limit(joint, "jerk", std::nullopt);
+    const bool locked = *lower == *upper;  // needs no other limits
+    const auto rate = [&](const char* key, std::optional<double> written) {
+      return locked ? 1 : positive_limit(joint, key, written);
+    };
+    const double velocity = rate("velocity", joint.velocity);
+    const double acceleration = rate("acceleration", std::nullopt);
+    const double jerk = rate("jerk", std::nullopt);
     const std::string name = scope.prefix + joint.name;
     if (std::ranges::count(assembly.table.joint_names, name) > 0)
       fail(joint, "", fmt::format("a joint '{}' already exists; give this part a `prefix`", name));
-    if (*lower == *upper) assembly.fixed_joints.push_back({name, *lower});
+    if (locked) assembly.fixed_joints.push_back({name, *lower});
     const int index = append_joint(assembly, name, {*lower, *upper, velocity, acceleration, jerk});
     read_braking(joint, index);
   }
@@ -186,6 +212,7 @@ struct Reader {
 
   /// Reads the limits of a mimic joint; `enforce_position_limits: false` omits those of position.
   void limit_coupled(const UrdfJoint& joint, int frame) {
+    expect_believed_limits(joint);
     RobotModel::CoupledLimit limit;
     limit.frame = frame;
     const auto entry = own.find(joint.name);
@@ -272,7 +299,7 @@ Pose pose_of(const urdf::Pose& pose) {
 
 void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
   const std::filesystem::path file = node.folder() / node["file"].text();
-  const files::XmlText text(file, "robot");
+  const files::XmlText text = read_urdf_text(file);
   assembly.files.push_back(file);
   UrdfTree tree = urdf_tree(text);
   const urdf::ModelInterfaceSharedPtr model = parse_with_urdfdom(text);

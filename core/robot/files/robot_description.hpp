@@ -31,6 +31,8 @@ struct RobotDescription {
   std::vector<NaturalJoint> natural;         ///< default of a config's `map.natural_posture`
   std::map<std::string, int> links;          ///< frames by the prefixed names of links
   std::vector<UrdfSource> urdfs;
+  /// Sentences on what its author assumed, to be checked before the robot is used.
+  std::vector<std::string> checks;
 };
 
 }  // namespace morphe::robot

@@ -197,7 +197,9 @@ Schema robot_schema() {
         list_schema(object_schema(
             {{"chain", scalar_schema(), "", true}, {"frame", scalar_schema(), "", true}})),
         "replace the derived joint centres of that chain"},
-       {"collision", collision_schema(), "capsules and which of them may touch"}});
+       {"collision", collision_schema(), "capsules and which of them may touch"},
+       {"check", list_schema(scalar_schema()),
+        "sentences on what is assumed, to be checked before the robot is used"}});
 }
 
 }  // namespace morphe::robot

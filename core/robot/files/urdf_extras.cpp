@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "core/files/xml_text.hpp"
+#include "core/robot/files/robot_file.hpp"
 #include "core/robot/files/urdf_joints.hpp"
 
 namespace morphe::robot {
@@ -102,7 +103,7 @@ std::string missing_sentence(const char* kind, const std::vector<std::string>& p
 std::vector<UrdfExtra> urdf_extras(const RobotDescription& robot, const fs::path& folder) {
   std::vector<UrdfExtra> extras(robot.table.frames.size());
   for (const UrdfSource& urdf : robot.urdfs) {
-    const files::XmlText text(urdf.file, "robot");
+    const files::XmlText text = read_urdf_text(urdf.file);
     const Source source{text, urdf, folder};
     for (const files::XmlElement* link : files::children(text.root(), "link"))
       source.read_link(*link, source.of_link(text.attribute(*link, "name"), extras));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <queue>
 #include <sstream>
@@ -45,7 +46,7 @@ std::optional<double> number(const files::XmlElement* element, const char* name)
   return text ? std::optional(numbers_of(text).front()) : std::nullopt;
 }
 
-void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
+void read_limits(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
   if (const files::XmlElement* axis = joint.element->FirstChildElement("axis")) {
     const std::vector<double> xyz = numbers_of(urdf.attribute(*axis, "xyz"));
     if (std::ranges::all_of(xyz, [](double x) { return x == 0; }))
@@ -56,14 +57,20 @@ void read_limits(const files::XmlText& urdf, UrdfJoint& joint) {
   joint.velocity = number(limit, "velocity");
   if (joint.velocity && !(*joint.velocity > 0)) joint.velocity.reset();
   if (joint.kind == JointKind::continuous) return;
-  joint.lower = number(limit, "lower").value_or(0);
-  joint.upper = number(limit, "upper").value_or(0);
-  if (*joint.lower == 0 && *joint.upper == 0) {  // written by programs that do not know limits
-    joint.lower.reset();
-    joint.upper.reset();
-  } else if (*joint.lower > *joint.upper) {
-    urdf.fail(*limit, key_of(joint, ".limit.upper"), "must be above lower");
+  const std::optional<double> lower = number(limit, "lower"), upper = number(limit, "upper");
+  if (!lower && !upper) return;
+  const double least = lower.value_or(0), most = upper.value_or(0);
+  if (least > most) urdf.fail(*limit, key_of(joint, ".limit.upper"), "must be above lower");
+  if (least == most && joint.element->FirstChildElement("mimic")) return;
+  if (joint.kind == JointKind::revolute && least <= -kEndless_rad && most >= kEndless_rad) {
+    joint.kind = JointKind::continuous;
+    tree.notes.push_back(
+        fmt::format("{}:{}: joint {}: {:g} to {:g} rad are no limits; it counts as continuous",
+                    urdf.file.string(), joint.element->GetLineNum(), joint.name, least, most));
+    return;
   }
+  joint.lower = least;
+  joint.upper = most;
 }
 
 void read_kind(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
@@ -71,7 +78,7 @@ void read_kind(const files::XmlText& urdf, UrdfJoint& joint, UrdfTree& tree) {
   if (type == "revolute") joint.kind = JointKind::revolute;
   if (type == "continuous") joint.kind = JointKind::continuous;
   if (type == "prismatic") joint.kind = JointKind::prismatic;
-  if (joint.kind != JointKind::fixed) return read_limits(urdf, joint);
+  if (joint.kind != JointKind::fixed) return read_limits(urdf, joint, tree);
   if (type == "planar" || type == "floating") {
     tree.notes.push_back(fmt::format("{}:{}: joint {} is {}; assumed fixed", urdf.file.string(),
                                      joint.element->GetLineNum(), joint.name, type));
@@ -147,6 +154,14 @@ std::vector<UrdfJoint> parents_first(const files::XmlText& urdf, std::vector<Urd
   urdf.fail(*joint.element, key_of(joint, ""), "is part of a closed loop of joints");
 }
 
+/// Returns the command that expands a xacro file: ARM.xacro and ARM.urdf.xacro become ARM.urdf.
+std::string xacro_command(const std::filesystem::path& file) {
+  const std::filesystem::path stem = file.stem();
+  const std::string name = stem.extension() == ".urdf" ? stem.stem().string() : stem.string();
+  const bool same = file.extension() == ".urdf";  // which must not be overwritten
+  return fmt::format("xacro {} > {}{}.urdf", file.string(), name, same ? "_expanded" : "");
+}
+
 void refuse_xacro(const files::XmlText& urdf) {
   const auto is_xacro = [](const files::XmlElement& element) {
     if (std::string_view(element.Value()).starts_with("xacro:")) return true;
@@ -160,7 +175,7 @@ void refuse_xacro(const files::XmlText& urdf) {
   const auto search = [&](const auto& self, const files::XmlElement& element) -> void {
     if (is_xacro(element)) {
       urdf.fail(element, element.Value(),
-                "is a xacro file; convert it first: `xacro FILE.xacro > FILE.urdf`");
+                fmt::format("is a xacro file; convert it first: `{}`", xacro_command(urdf.file)));
     }
     for (const auto* child = element.FirstChildElement(); child;
          child = child->NextSiblingElement()) {

@@ -11,12 +11,20 @@ namespace morphe::robot {
 /// The kind of a URDF's joint; planar and floating ones, which cannot be driven, count as fixed.
 enum class JointKind { fixed, revolute, continuous, prismatic };
 
+/// The widest limits in a URDF that are believed: beyond two turns they are in degrees or wrong,
+/// and beyond 20 m in millimetres. Chosen by hand: UR and xArm have one turn, some wrists 1.3
+/// turns; the smallest limit of an arm in degrees that matters is about 30.
+inline constexpr double kMaxBelievedLimit_rad = 12.566370614359172, kMaxBelievedLimit_m = 20;
+/// Limits of a revolute joint from which on programs mean "no limit" [rad]; 720 degrees are below.
+inline constexpr double kEndless_rad = 1000;
+
 /// A joint of a URDF and its element in the file.
 struct UrdfJoint {
   std::string name, parent, child;
   JointKind kind = JointKind::fixed;
-  /// As written. Absent are a velocity that is not above 0, and lower and upper if both are 0 or
-  /// the joint is continuous.
+  /// As written. Absent are a velocity that is not above 0, and lower and upper if the file gives
+  /// neither, or if the joint is continuous. Equal limits lock the joint, unless it is coupled:
+  /// then they contradict the coupling, and count as absent, too.
   std::optional<double> lower, upper, velocity;
   const files::XmlElement* element = nullptr;  ///< valid as long as the file's text
 };

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "core/motion/enum_names.hpp"
+#include "core/motion/input_error.hpp"
 #include "core/robot/files/assembly.hpp"
+#include "core/robot/files/robot_file.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -86,12 +88,25 @@ void read_link(const XmlElement& link, UrdfModel& model) {
   model.inertias.emplace(name, inertia);
 }
 
-/// Returns the text of a description with only the key `urdf` and the limits that the URDF lacks.
-std::string urdf_key_text(const UrdfModel& model, const AssumedLimits& assumed) {
+/// Returns the text of a description with only the key `urdf`, the limits that the URDF lacks, and
+/// those that replace it.
+std::string urdf_key_text(const UrdfModel& model, const GivenLimits& given,
+                          const AssumedLimits& assumed) {
   std::string text = fmt::format(
       "urdf:\n  file: '{}'\n  velocity: {}\n  acceleration: {}\n  jerk: {}\n  limits:\n",
       model.file.filename().string(), assumed.velocity, assumed.acceleration, assumed.jerk);
+  for (const auto& [joint, limits] : given) {
+    const UrdfJoint* found = model.joint(joint);
+    if (!found || found->kind == JointKind::fixed)
+      throw InputError(
+          fmt::format("{}: limits are given for '{}', but there is no such joint that "
+                      "moves",
+                      model.file.string(), joint));
+    text +=
+        fmt::format("    - {{joint: '{}', lower: {}, upper: {}}}\n", joint, limits[0], limits[1]);
+  }
   for (const UrdfJoint& joint : model.tree.joints) {
+    if (given.contains(joint.name)) continue;
     const bool bounded = joint.kind == JointKind::revolute || joint.kind == JointKind::prismatic;
     if (!bounded || joint.lower || joint.element->FirstChildElement("mimic")) continue;
     text += fmt::format("    - {{joint: '{}', lower: -{}, upper: {}}}\n", joint.name,
@@ -109,10 +124,11 @@ std::vector<std::string> UrdfModel::link_of_frame() const {
   return names;
 }
 
-UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits& assumed) {
+UrdfModel load_urdf_model(const std::filesystem::path& file, const GivenLimits& given,
+                          const AssumedLimits& assumed) {
   UrdfModel model;
   model.file = file;
-  const files::XmlText text(file, "robot");
+  const files::XmlText text = read_urdf_text(file);
   model.tree = urdf_tree(text);
   const char* name = text.root().Attribute("name");
   model.name = name && *name ? name : file.stem().string();
@@ -122,10 +138,11 @@ UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits
   FileScope scope;
   const std::filesystem::path label = file.parent_path() / "of the URDF";
   const config::ConfigNode node =
-      config::ConfigNode::parse(urdf_key_text(model, assumed), label.string());
+      config::ConfigNode::parse(urdf_key_text(model, given, assumed), label.string());
   read_urdf(assembly, scope, node["urdf"]);
   assembly.problems.throw_if_any();
   for (UrdfJoint& joint : model.tree.joints) joint.element = nullptr;  // the text is destroyed here
+  fix_joints(assembly);  // those that the file locks, as long as there are no tips
   set_limits(assembly);
   model.table = std::move(assembly.table);
   model.table.capsules.clear();

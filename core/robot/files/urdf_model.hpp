@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -29,7 +30,8 @@ struct UrdfInertia {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
 
-/// A URDF by itself. Missing limits are assumed. Joints that move no fingertip are not fixed.
+/// A URDF by itself. Missing limits are assumed. Joints that the file locks are fixed; joints that
+/// move no fingertip are not.
 struct UrdfModel {
   std::filesystem::path file;
   std::string name;
@@ -52,7 +54,11 @@ struct AssumedLimits {
   double velocity = 1, acceleration = 1, jerk = 1;
 };
 
-/// Reads a URDF; throws InputError as load_robot() does.
-UrdfModel load_urdf_model(const std::filesystem::path& file, const AssumedLimits& assumed = {});
+/// Lower and upper limits of position that replace those of a URDF, by the names of its joints.
+using GivenLimits = std::map<std::string, std::array<double, 2>>;
+
+/// Reads a URDF; throws InputError as load_robot() does, and if `given` names an unknown joint.
+UrdfModel load_urdf_model(const std::filesystem::path& file, const GivenLimits& given = {},
+                          const AssumedLimits& assumed = {});
 
 }  // namespace morphe::robot

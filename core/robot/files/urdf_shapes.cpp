@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/robot/files/read_urdf.hpp"
+#include "core/robot/files/robot_file.hpp"
 
 namespace morphe::robot {
 namespace {
@@ -132,7 +133,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
 }
 
 void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file) {
-  const files::XmlText text(file, "robot");
+  const files::XmlText text = read_urdf_text(file);
   assembly.files.push_back(file);
   for (const files::XmlElement* pair : files::children(text.root(), "disable_collisions")) {
     std::array<int, 2> frames{};

@@ -9,35 +9,14 @@
 
 #include "core/files/markup.hpp"
 #include "core/robot/files/urdf_extras.hpp"
+#include "core/robot/files/urdf_text.hpp"
 
 namespace morphe::robot {
 namespace {
 
-std::string numbers(const Vec3& v) {
-  const Vec3 unsigned_zeros = v.array() + 0.0;  // writes 0 for -0
-  return fmt::format("{} {} {}", unsigned_zeros.x(), unsigned_zeros.y(), unsigned_zeros.z());
-}
-
-/// Returns roll, pitch, yaw with R = Rz(yaw) Ry(pitch) Rx(roll). It is exact at a pitch of ±90
-/// degrees too: yaw is then arbitrary, and roll makes up for it.
-Vec3 rpy_of(const Eigen::Matrix3d& r) {
-  const double yaw = std::atan2(r(1, 0), r(0, 0));
-  const double pitch = std::atan2(-r(2, 0), std::hypot(r(0, 0), r(1, 0)));
-  const Eigen::Matrix3d rolled =
-      (Eigen::AngleAxisd(-pitch, Vec3::UnitY()) * Eigen::AngleAxisd(-yaw, Vec3::UnitZ()))
-          .toRotationMatrix() *
-      r;
-  return {std::atan2(rolled(2, 1), rolled(1, 1)), pitch, yaw};
-}
-
-std::string origin(const Pose& pose) {
-  return fmt::format("<origin xyz=\"{}\" rpy=\"{}\"/>", numbers(pose.translation()),
-                     numbers(rpy_of(pose.linear())));
-}
-
 std::string shape(const std::string& name, const Pose& pose, const std::string& geometry) {
   return fmt::format("    <collision name=\"{}\">{}<geometry>{}</geometry></collision>\n",
-                     files::escape_xml(name), origin(pose), geometry);
+                     files::escape_xml(name), urdf_origin(pose), geometry);
 }
 
 std::string capsule_shapes(const RobotModel::Capsule& capsule) {
@@ -81,7 +60,7 @@ std::string joint(const Names& names, const char* type, const std::string& paren
       "  <joint name=\"{}\" type=\"{}\">\n    <parent link=\"{}\"/>\n    <child link=\"{}\"/>\n"
       "    {}\n{}  </joint>\n",
       files::escape_xml(names.joint), type, files::escape_xml(parent),
-      files::escape_xml(names.link), origin(pose), more);
+      files::escape_xml(names.link), urdf_origin(pose), more);
 }
 
 struct Writer {
@@ -146,7 +125,7 @@ struct Writer {
     const RobotModel::Frame& frame = robot.frames[f];
     Pose pose = frame.transform;
     const int k = frame.joint;
-    std::string more = fmt::format("    <axis xyz=\"{}\"/>\n", numbers(frame.axis));
+    std::string more = fmt::format("    <axis xyz=\"{}\"/>\n", urdf_numbers(frame.axis));
     double lower = robot.lower[k], upper = robot.upper[k];
     const int driver = driver_of(k);
     if (driver == f) {

@@ -23,20 +23,29 @@ bool must_be_asked(const AuditInput& input, Doubt& doubt) {
   return true;
 }
 
+/// Calls a check that needs no step tables.
+template <auto check>
+std::vector<Doubt> without_steps(const Demonstration& recording, const AuditInput& input,
+                                 StepTables& /*steps*/) {
+  return check(recording, input);
+}
+
+bool is_mended(const RecordingFlag& flag) { return flag.response == FlagResponse::mended; }
+
 }  // namespace
 
 std::span<const AuditCheck> audit_checks() {
   // The static trial is compared once the size is known to be that of a person.
   static constexpr AuditCheck kChecks[] = {{"rows", check_rows},
                                            {"jumps", check_jumps},
-                                           {"labels", check_labels},
-                                           {"chirality", check_chirality},
-                                           {"vertical", check_vertical},
-                                           {"scale", check_scale},
-                                           {"static_trial", check_static_trial},
-                                           {"time_base", check_time_base},
-                                           {"jitter", check_jitter},
-                                           {"objects", check_objects}};
+                                           {"labels", without_steps<check_labels>},
+                                           {"chirality", without_steps<check_chirality>},
+                                           {"vertical", without_steps<check_vertical>},
+                                           {"scale", without_steps<check_scale>},
+                                           {"static_trial", without_steps<check_static_trial>},
+                                           {"time_base", without_steps<check_time_base>},
+                                           {"jitter", without_steps<check_jitter>},
+                                           {"objects", without_steps<check_objects>}};
   return kChecks;
 }
 
@@ -58,9 +67,14 @@ std::optional<Doubt> audit_recording(const AuditInput& input, Demonstration& rec
   for (RecordingFlag& flag : recording.flags) {
     if (is_accepted(input, flag.code)) flag.response = FlagResponse::accepted;
   }
+  StepTables steps;
   for (const AuditCheck& check : audit_checks()) {
-    std::optional<Doubt> asked = answer_doubts(check.find(recording, input), input, recording);
+    const std::size_t known = recording.flags.size();
+    std::optional<Doubt> asked =
+        answer_doubts(check.find(recording, input, steps), input, recording);
     if (asked) return asked;
+    if (std::any_of(recording.flags.begin() + known, recording.flags.end(), is_mended))
+      steps.clear();
   }
   return std::nullopt;
 }

@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "stages/import/audit/doubt.hpp"
+#include "stages/import/audit/step_table.hpp"
 
 namespace morphe::imports {
 
 /// A check of a recording.
 struct AuditCheck {
   const char* name;  ///< of its file: "labels"
-  std::vector<Doubt> (*find)(const Demonstration& recording, const AuditInput& input);
+  std::vector<Doubt> (*find)(const Demonstration& recording, const AuditInput& input,
+                             StepTables& steps);
 };
 /// Returns the checks in the order of the audit: each sees what those before it mended.
 std::span<const AuditCheck> audit_checks();

@@ -3,16 +3,20 @@
 #include <vector>
 
 #include "stages/import/audit/doubt.hpp"
+#include "stages/import/audit/step_table.hpp"
 
 namespace morphe::imports {
 
 // The checks of a recording whose names are Morphe's, in metres and in the axes of the world. Each
-// returns its doubts, the most certain first, and none if the data do not allow it to judge.
+// returns its doubts, the most certain first, and none if the data do not allow it to judge. Those
+// of rows and jumps share the step tables of the recording.
 
 /// Rows that are equal, written twice or missing (rows.cpp).
-std::vector<Doubt> check_rows(const Demonstration& recording, const AuditInput& input);
+std::vector<Doubt> check_rows(const Demonstration& recording, const AuditInput& input,
+                              StepTables& steps);
 /// Points that jump away and return, or stay away (jumps.cpp).
-std::vector<Doubt> check_jumps(const Demonstration& recording, const AuditInput& input);
+std::vector<Doubt> check_jumps(const Demonstration& recording, const AuditInput& input,
+                               StepTables& steps);
 /// Markers and fingertips that carry each other's names (labels.cpp).
 std::vector<Doubt> check_labels(const Demonstration& recording, const AuditInput& input);
 /// The static trial of another person or session (static_fit.cpp).

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "stages/import/audit/arm_side.hpp"
 #include "stages/import/audit/checks.hpp"
 #include "stages/import/audit/constants.hpp"
 #include "stages/import/audit/hand_side.hpp"
@@ -38,12 +41,28 @@ Doubt other_hand(const Demonstration& recording, const AuditInput& input, double
   return doubt;
 }
 
+/// Flags an arm without a trunk that is held as one of the other side. Z has to point up for that.
+std::vector<Doubt> other_arm(const RecordedPoints& points, Side side) {
+  const ArmBearing arm = arm_bearing(points, side);
+  const bool mirrored_arm = arm.upper_arm_rad < kMaxUpperArm_rad &&
+                            arm.thumb_inside_m < -kMirroredThumb_m &&
+                            arm.elbow_outside_m < kMaxMirroredElbow_m;
+  if (!mirrored_arm) return {};
+  const Side other = side == Side::right ? Side::left : Side::right;
+  return {mirrored(
+      arm.thumb_inside_m, -kMirroredThumb_m, "m",
+      fmt::format("the {} arm is held as a {} one: its thumb is {:.0f} mm on the outer side of the "
+                  "index finger; are the axes left-handed?",
+                  name_of(side), name_of(other), -1000 * arm.thumb_inside_m))};
+}
+
 }  // namespace
 
 std::vector<Doubt> check_chirality(const Demonstration& recording, const AuditInput& input) {
   const RecordedPoints points = sampled_points(recording.streams, recording.hand);
-  const double agreement = axes_agreement(points, Handedness::left);
-  const double margin = agreement - axes_agreement(points, Handedness::right);  // may be NaN
+  const AxesAgreement axes = axes_agreement(points);
+  const double agreement = axes.left_handed;
+  const double margin = agreement - axes.right_handed;  // may be NaN
   const double palmward_m = palmward_tips_m(recording);
   const bool trunk_known = body_vertical(points).trunk_known;  // one arm tells no side
   if (trunk_known && margin > kMirroredMargin && agreement > kMirroredAgreement) {
@@ -55,10 +74,11 @@ std::vector<Doubt> check_chirality(const Demonstration& recording, const AuditIn
     Doubt doubt = mirrored(margin, kMirroredMargin, "1",
                            "the body is the mirror image of a person's: the axes are left-handed, "
                            "or left and right are exchanged in all names");
-    const Guess axes = guess_axes(points, Handedness::left);
-    if (!input.axes_given) doubt.question = {"axes", axes.value, axes.reason, axes.confidence};
+    const Guess guess = guess_axes(points, Handedness::left);
+    if (!input.axes_given) doubt.question = {"axes", guess.value, guess.reason, guess.confidence};
     return {doubt};
   }
+  if (!trunk_known && std::isnan(palmward_m)) return other_arm(points, recording.hand);
   if (!(palmward_m < -kMirroredHand_m)) return {};
   return {other_hand(recording, input, palmward_m, trunk_known && margin < -kMirroredMargin)};
 }

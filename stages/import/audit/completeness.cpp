@@ -53,27 +53,33 @@ double speed_in(const Track& track, const std::vector<double>& time, std::ptrdif
   return (track[last] - track[first]).norm() / (time[last] - time[first]);
 }
 
-/// Returns the highest speed in a window of `width` frames within the movement, or NaN.
-double peak_speed(const Track& track, const AuditedMovement& audited, std::ptrdiff_t width) {
-  const std::vector<double>& time = audited.motion.time;
-  double peak = kUnknown;
-  for (std::ptrdiff_t frame = 0; frame + width < std::ssize(time); ++frame) {
-    const bool inside = time[frame] >= audited.movement.begin_s - kEdgeWindow_s &&
-                        time[frame + width] <= audited.movement.end_s + kEdgeWindow_s;
-    if (inside) peak = std::fmax(peak, speed_in(track, time, frame, frame + width));
+/// Returns the highest speed of the motion to which the window of frames at an edge belongs: from
+/// there on, until the speed has fallen to a share of the highest one.
+double peak_at_edge(const Track& track, const std::vector<double>& time, std::ptrdiff_t first,
+                    std::ptrdiff_t width, bool at_begin) {
+  double peak = speed_in(track, time, first, first + width);
+  const std::ptrdiff_t step = at_begin ? 1 : -1;
+  for (std::ptrdiff_t frame = first; frame >= 0 && frame + width < std::ssize(time);
+       frame += step) {
+    const double speed = speed_in(track, time, frame, frame + width);
+    if (speed < kMotionEndShare * peak && peak > kMinEdgeSpeed_m_s) break;
+    peak = std::fmax(peak, speed);
   }
   return peak;
 }
 
-/// Returns the highest speed of a hand at rest in a movement with this peak.
-double rest_speed(double peak) { return std::fmax(kMinEdgeSpeed_m_s, kMaxEdgeSpeedShare * peak); }
+/// Returns the highest speed of the wrist, or of a fingertip, of a hand at rest whose motion has
+/// this peak.
+double rest_speed(bool is_wrist, double peak) {
+  return std::fmax(is_wrist ? kMinEdgeSpeed_m_s : kMinEdgeTipSpeed_m_s, kMaxEdgeSpeedShare * peak);
+}
 
 /// Returns the first time up to which the hand has rested for kMinRest_s; infinity if it never has.
 double rested_at(const Track& track, const std::vector<double>& time, std::ptrdiff_t width,
-                 double peak) {
+                 double rest_m_s) {
   double rest_begin_s = kUnknown;
   for (std::ptrdiff_t frame = 0; frame + width < std::ssize(time); ++frame) {
-    const bool rests = speed_in(track, time, frame, frame + width) <= rest_speed(peak);
+    const bool rests = speed_in(track, time, frame, frame + width) <= rest_m_s;
     if (!rests) {
       rest_begin_s = kUnknown;
       continue;
@@ -92,26 +98,28 @@ RecordingFlag incomplete(bool at_begin, double time_s, double speed, double peak
                      .limit = kMaxEdgeSpeedShare,
                      .unit = "1"};
   flag.text = fmt::format(
-      "the recording {} while the hand moves at {:.2f} m/s, {:.0f} % of the highest speed of the "
-      "movement (at rest: at most {:.0f} %){}: no complete reach; record it from rest to rest",
+      "the recording {} while the hand moves at {:.2f} m/s, {:.0f} % of the highest speed of this "
+      "motion (at rest: at most {:.0f} %){}: no complete reach; record it from rest to rest",
       at_begin ? "begins" : "ends", speed, 100 * flag.value, 100 * kMaxEdgeSpeedShare,
       at_begin ? " and has not rested before the movement" : "");
   return flag;
 }
 
-/// Returns a flag if the hand moves in the window from `first` to `last`, at an edge of what was
-/// seen. It is measured by the first track that was seen there.
+/// Returns a flag if the wrist, the first of the tracks, or else a fingertip moves in the window
+/// from `first` to `last`, at an edge of what was seen.
 std::optional<RecordingFlag> motion_at_edge(const AuditedMovement& audited,
                                             const std::vector<Track>& tracks, std::ptrdiff_t first,
                                             std::ptrdiff_t last, bool at_begin) {
   const std::vector<double>& time = audited.motion.time;
   for (const Track& track : tracks) {
     const double speed = speed_in(track, time, first, last);
+    const double peak = peak_at_edge(track, time, first, last - first, at_begin);
+    const double rest_m_s = rest_speed(&track == &tracks.front(), peak);
     if (std::isnan(speed)) continue;
-    const double peak = peak_speed(track, audited, last - first);
+    if (!(speed > rest_m_s)) return std::nullopt;
     const bool rested =
-        at_begin && rested_at(track, time, last - first, peak) <= audited.movement.begin_s;
-    if (rested || !(speed > rest_speed(peak))) return std::nullopt;
+        at_begin && rested_at(track, time, last - first, rest_m_s) <= audited.movement.begin_s;
+    if (rested) return std::nullopt;
     return incomplete(at_begin, time[at_begin ? first : last], speed, peak);
   }
   return std::nullopt;
@@ -126,14 +134,14 @@ std::vector<RecordingFlag> check_completeness(const AuditedMovement& audited,
   const std::vector<Track> tracks = hand_tracks(audited.motion);
   const SeenFrames seen = seen_frames(tracks, std::ssize(time));
   const auto width = std::max<std::ptrdiff_t>(1, std::lround(kEdgeWindow_s / (time[1] - time[0])));
-  std::vector<RecordingFlag> flags;
-  const auto add = [&](std::ptrdiff_t first, bool at_begin) {
-    if (auto flag = motion_at_edge(audited, tracks, first, first + width, at_begin))
-      flags.push_back(std::move(*flag));
-  };
   if (seen.last < seen.first + width) return {};
-  add(seen.first, true);
-  if (audited.movement.end_s >= time[seen.last] - kEdgeWindow_s) add(seen.last - width, false);
+  std::vector<RecordingFlag> flags;
+  const auto add = [&](std::optional<RecordingFlag> flag) {
+    if (flag) flags.push_back(std::move(*flag));
+  };
+  add(motion_at_edge(audited, tracks, seen.first, seen.first + width, true));
+  if (audited.movement.end_s < time[seen.last] - kEdgeWindow_s) return flags;
+  add(motion_at_edge(audited, tracks, seen.last - width, seen.last, false));
   return flags;
 }
 

@@ -17,12 +17,20 @@ inline constexpr double kMirroredAgreement = 0.7;  ///< of mirrored bodies 0.81 
 /// to 60 mm in 18 hands, -10 mm in one whose fingers are stretched.
 inline constexpr double kMirroredHand_m = 0.025;
 
+/// The same of an arm without trunk and plane of the hand. In 15 trials of five people at a table
+/// the thumb's tip is 62 to 100 mm inside of the index finger's, in 40 synthetic reaches 22 to 60
+/// mm; the elbow is 16 mm inside to 90 mm outside. If mirrored, both have the other sign.
+inline constexpr double kMirroredThumb_m = 0.015, kMaxMirroredElbow_m = 0.05;
+
 // Vertical (vertical.cpp). In 26 recordings of 12 people at a table or walking, the body's vertical
 // is 1 to 14 degrees from the vertical axis while the hand rests, and the line between the
 // shoulders 0 to 5 degrees from the horizontal.
 inline constexpr double kMaxTilt_rad = 22 * kRadPerDegree;
 /// Without the trunk, as the arm's own posture gives it: up to 24 degrees in 12 single arms.
 inline constexpr double kMaxArmTilt_rad = 35 * kRadPerDegree;
+/// Of the upper arm from the vertical: 20 to 45 degrees in these trials, at rest and in motion.
+/// Chosen by hand below a horizontal one.
+inline constexpr double kMaxUpperArm_rad = 80 * kRadPerDegree;
 inline constexpr double kMaxShoulderSlope_rad = 10 * kRadPerDegree;
 /// Agreement of a body whose pose gives its vertical; 0.81 to 0.97 in those, 0.6 in a wheelchair.
 inline constexpr double kMinVerticalAgreement = 0.75;
@@ -31,6 +39,10 @@ inline constexpr double kMinVerticalAgreement = 0.75;
 // a child of 0.9 m and more than the largest adult, half-way to these people in cm instead of in,
 // 0.30 to 0.43, and in in instead of cm, 1.9 to 2.8.
 inline constexpr double kMinRelativeSize = 0.5, kMaxRelativeSize = 1.6;
+/// Flagged; chosen by hand: a person of 2.1 m has 1.2 of the size of one of 1.75 m. The largest of
+/// these people has 1.1. Not of sensors, which are far from the joints: up to 1.27 of synthetic
+/// ones.
+inline constexpr double kMaxAdultSize = 1.25;
 /// Limits of one length, whose ends may be a hand's breadth from the joints; 0.45 to 1.3 were
 /// measured.
 inline constexpr double kMinLengthRatio = 0.35, kMaxLengthRatio = 2.5;
@@ -106,6 +118,13 @@ inline constexpr double kMaxJointMismatch_m = 0.05, kMinJointGain_m = 0.03;
 inline constexpr double kJointWeight = 0.1;            ///< of the excess, against the misfit
 inline constexpr double kAlternativeMisfit_m = 0.004;  ///< above the best order's: compared too
 
+/// By how much an exchange of two whole parts has to shorten the way along the arms
+/// (label_chain.cpp) [m]. In 15 trials of five people, as markers and as joints, and in 80
+/// synthetic ones each exchange makes it 56 mm longer or more.
+inline constexpr double kMinChainGain_m = 0.025;
+/// In fewer frames a posture that is held may have the longer way; chosen by hand.
+inline constexpr std::size_t kMinChainFrames = 10;
+
 // Thumb and index finger (label_digits.cpp). In these trials the median distance of the index tip
 // from the forearm's cluster exceeds that of the thumb by 20 mm or more, and never by less than
 // 1 mm; both tips are 45 mm or more nearer to their own places in the static trial's hand.
@@ -122,16 +141,21 @@ inline constexpr double kMinNamedShare = 0.05;          ///< of the frames, in w
 /// Over which the speed at an edge is measured, and up to which a movement touches the edge: five
 /// frames of the usual clock of 100 Hz, chosen by hand.
 inline constexpr double kEdgeWindow_s = 0.05;
-/// Greatest speed at an edge, as a share of the highest speed of the movement. A minimum-jerk reach
-/// of 0.3 m is 5 mm, the default of check.tracking_tolerance_grasp, from its end when its speed has
-/// fallen to 19 %.
+/// Greatest speed at an edge, as a share of the highest speed of the motion there. A minimum-jerk
+/// reach of 0.3 m is 5 mm, the default of check.tracking_tolerance_grasp, from its end when its
+/// speed has fallen to 19 %.
 inline constexpr double kMaxEdgeSpeedShare = 0.2;
+/// Share of its highest speed to which the speed falls between two motions; chosen by hand.
+inline constexpr double kMotionEndShare = 0.5;
 /// For which a hand that moves when the recording begins must rest before a movement. Until then it
 /// may be in the middle of a task, whose transport looks like a reach. Measured: within the tasks
 /// of 13 recordings of five people (drinking, combing) the wrist rests for up to 1.22 s.
 inline constexpr double kMinRest_s = 1.5;
 /// The default of segment.min_peak_speed: a slower hand rests [m/s].
 inline constexpr double kMinEdgeSpeed_m_s = 0.05;
+/// The same of a fingertip, which a turn of the hand moves while the wrist rests: recordings that
+/// begin 0.15 s late do so at 0.16 m/s or more, whole ones at up to 0.07 m/s.
+inline constexpr double kMinEdgeTipSpeed_m_s = 0.1;
 // Presence of a grasp (grasp_presence.cpp)
 /// Score (revisit_score()) of a second visit above which a hand that took nothing is mentioned; two
 /// stops are then nearer to each other than a third of the way there. Chosen by hand.
@@ -163,14 +187,22 @@ inline constexpr int kMinJumpingPoints = 2;
 inline constexpr double kJumpingShare = 0.6;  ///< of the points that move
 inline constexpr double kAlongShare = 0.7;    ///< of the squared jumps, along the motion
 inline constexpr double kMinRowsLost = 1.5;   ///< of a jump along the motion
+/// The same of a jump that counts only if there are several: one lost row moves the points by one
+/// usual step, which a sudden turn may do once.
+inline constexpr double kMinSingleRowLost = 0.7;
+inline constexpr std::ptrdiff_t kMinSingleRows = 3;
 
 // Rows that are equal or missing (held_rows.cpp, rows.cpp); chosen by hand
-inline constexpr double kMinHeldJump_m = 0.002;    ///< after equal rows
-inline constexpr std::size_t kMinFrozenRows = 3;   ///< fewer are called repeated
+inline constexpr double kMinHeldJump_m = 0.002;   ///< after equal rows
+inline constexpr std::size_t kMinFrozenRows = 3;  ///< fewer are called repeated
+/// Step after repeated rows, in usual steps and for each of them, above which their time has
+/// passed: 1 if the points catch up, 0 if the rows were added.
+inline constexpr double kMinCatchUp = 0.5;
 inline constexpr std::size_t kMinSilentRows = 10;  ///< equal ones, of a point that is never still
 inline constexpr double kMaxEqualShare = 0.05;     ///< of the other rows of such a point
 inline constexpr double kOthersMotion_m = 0.003;   ///< of another point meanwhile
 inline constexpr std::size_t kMinBlockRows = 3;    ///< that repeat earlier ones
+inline constexpr std::size_t kMaxNamedJumps = 3;   ///< of the body, each of which has its flag
 inline constexpr double kMaxCountedRows = 100;     ///< lost ones, whose number the speeds tell
 
 // The reconstruction's low-pass, to which spikes and jitter are related (low_pass.hpp): its usual
@@ -198,8 +230,12 @@ inline constexpr double kExchangeToleranceRatio = 0.25;  ///< the same over the 
 inline constexpr double kJitterWindow_s = 0.5;
 inline constexpr double kQuietShare = 0.25;         ///< of the windows have less noise
 inline constexpr double kMaxJitterPeriod_s = 0.04;  ///< slower streams show motion alone
-/// Behind the filter. Shipped recordings reach 0.24 mm, and 0.64 mm with estimated joints.
-inline constexpr double kMaxMarkerJitter_m = 0.0005, kMaxEstimateJitter_m = 0.0012;
+/// Behind the filter. Shipped recordings reach 0.24 mm, and 0.64 mm with estimated joints; 2 mm at
+/// 100 Hz leave 0.8 mm, which move a fingertip by 3 mm.
+inline constexpr double kMaxMarkerJitter_m = 0.0005, kMaxEstimateJitter_m = 0.00075;
+/// Of an estimated point over the median of its stream, above which the limit of markers holds.
+/// Chosen by hand.
+inline constexpr double kMaxJitterRatio = 4;
 
 // Time base (time_base.cpp)
 inline constexpr double kMovingShare = 0.1;           ///< of the largest speed: the hand moves
@@ -209,6 +245,11 @@ inline constexpr double kMaxSeatedShoulder_m = 0.15;  ///< at a table it moves b
 inline constexpr double kMaxTableAcceleration_m_s2 = 7, kMaxAcceleration_m_s2 = 150;
 /// Trials at a table have 0.46 to 0.75; a minimum-jerk reach of 2.5 s has 0.22.
 inline constexpr double kTableFrequency_hz = 0.65, kMinTableFrequency_hz = 0.22;
+/// A hand that is quicker and stronger than both limits moves too fast: trials of seven people
+/// reach 0.72 Hz and 2.5 m/s^2, synthetic ones 1.0 Hz and 3.1 m/s^2, the slowest people at three
+/// times their speed 1.06 Hz and 5.1 m/s^2. A minimum-jerk reach of 0.35 m in 0.6 s has both
+/// limits.
+inline constexpr double kQuickFrequency_hz = 0.9, kQuickAcceleration_m_s2 = 4;
 inline constexpr double kMaxTempoStep = 1.5;  ///< [periods] between rows of an even clock
 inline constexpr double kTempoFilter_hz = 4;  ///< removes noise from slow motions
 inline constexpr double kDoubtMargin_s =

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <map>
 #include <unordered_map>
 
+#include "core/math/statistics.hpp"
 #include "stages/import/audit/constants.hpp"
 
 namespace morphe::imports {
@@ -77,6 +79,58 @@ bool others_move(const PointStream& stream, const HeldRows& held) {
   return motion_between(stream, held.begin, held.end - 1) > kOthersMotion_m;
 }
 
+/// Rows of which every second one is held; the row `end` is the first that goes on.
+struct HeldStretch {
+  std::size_t begin = 0, end = 0, held = 0;
+};
+
+std::vector<HeldStretch> stretches_of(const std::vector<HeldRows>& held) {
+  std::map<std::size_t, std::size_t> end_of;
+  for (const HeldRows& run : held) {
+    if (run.begin > 0 && !run.at_end) end_of[run.begin] = run.end;
+  }
+  std::vector<HeldStretch> stretches;
+  for (const auto& [begin, end] : end_of) {
+    if (stretches.empty() || begin > stretches.back().end + 1) stretches.push_back({begin, end, 0});
+    stretches.back().end = end;
+    stretches.back().held += end - begin;
+  }
+  return stretches;
+}
+
+bool moves(const PointStream& stream, std::size_t row) {
+  for (std::size_t k = 0; k < stream.names.size(); ++k) {
+    if (step_length(stream, row, k) > 0) return true;
+  }
+  return false;
+}
+
+/// Returns the mean of the nearest steps before and behind a stretch that neither lead into a held
+/// row nor out of one, [point]; empty if there are none.
+std::vector<Vec3> usual_step_around(const PointStream& stream, const HeldStretch& stretch) {
+  std::vector<std::size_t> rows;
+  const auto is_free = [&](std::size_t row) {
+    return moves(stream, row) && moves(stream, row - 1);
+  };
+  const auto window = static_cast<std::size_t>(kLocalWindow);
+  const std::size_t last = std::min(stretch.end + window, stream.time.size() - 1);
+  for (std::size_t n = 1; n <= window && rows.empty() && stretch.begin >= n + 2; ++n) {
+    if (is_free(stretch.begin - n)) rows.push_back(stretch.begin - n);
+  }
+  for (std::size_t row = stretch.end + 1; row <= last; ++row) {
+    if (!is_free(row)) continue;
+    rows.push_back(row);
+    break;
+  }
+  std::vector<Vec3> steps;
+  for (std::size_t k = 0; k < stream.names.size() && !rows.empty(); ++k) {
+    Vec3 sum = Vec3::Zero();
+    for (const std::size_t row : rows) sum += stream.position(row, k) - stream.position(row - 1, k);
+    steps.emplace_back(sum / static_cast<double>(rows.size()));
+  }
+  return steps;
+}
+
 }  // namespace
 
 std::vector<HeldRows> held_rows(const PointStream& stream, const StepTable& steps) {
@@ -95,6 +149,24 @@ std::vector<HeldRows> held_rows(const PointStream& stream, const StepTable& step
     }
   }
   return found;
+}
+
+double catch_up(const PointStream& stream, const std::vector<HeldRows>& held) {
+  std::vector<double> shares;
+  for (const HeldStretch& stretch : stretches_of(held)) {
+    const std::vector<Vec3> usual = usual_step_around(stream, stretch);
+    double product = 0, usual_square = 0;
+    for (std::size_t k = 0; k < usual.size(); ++k) {
+      const Vec3 way = stream.position(stretch.end, k) - stream.position(stretch.begin - 1, k);
+      if (!is_known(usual[k]) || !is_known(way)) continue;
+      product += way.dot(usual[k]);
+      usual_square += usual[k].squaredNorm();
+    }
+    const double others = static_cast<double>(stretch.end - stretch.begin + 1 - stretch.held);
+    if (usual_square > 0)
+      shares.push_back((product / usual_square - others) / static_cast<double>(stretch.held));
+  }
+  return math::median(std::move(shares));
 }
 
 std::vector<RepeatedBlock> repeated_blocks(const PointStream& stream) {

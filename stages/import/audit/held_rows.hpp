@@ -19,6 +19,12 @@ struct HeldRows {
 /// recording include the first one.
 std::vector<HeldRows> held_rows(const PointStream& stream, const StepTable& steps);
 
+/// Returns how far rows that are held in all points are caught up with, in usual steps for each
+/// held row, in the median: 1 if time went on in them, 0 if rows were only written more often. The
+/// usual steps are those around; NaN if there are none, as in a recording all of whose rows are
+/// written twice.
+double catch_up(const PointStream& stream, const std::vector<HeldRows>& held);
+
 /// Rows that are equal to as many rows before them, which did not stand still in between.
 struct RepeatedBlock {
   std::size_t begin = 0, end = 0;  ///< first row, and the row after the last one

@@ -34,11 +34,14 @@ double noise_of(const PointStream& stream, std::size_t point, std::size_t window
 /// A point that trembles, and the noise that the reconstruction's low-pass leaves of it.
 struct Trembling {
   std::size_t point = 0;
-  double left_m = 0;
+  double left_m = 0, limit_m = 0;
 };
 
+/// Returns the points that tremble more than usual, of estimated ones also those that tremble more
+/// than markers do and much more than the others of their stream.
 std::vector<Trembling> trembling_points(const PointStream& stream, double limit_m) {
-  std::vector<Trembling> found;
+  std::vector<Trembling> found, all;
+  std::vector<double> levels;
   const double period_s = median_period(stream.time);
   const double duration_s = period_s * static_cast<double>(stream.time.size());
   if (!(duration_s > kJitterWindow_s) || period_s > kMaxJitterPeriod_s) return found;
@@ -46,8 +49,13 @@ std::vector<Trembling> trembling_points(const PointStream& stream, double limit_
   const double left = std::sqrt(std::min(1.0, kFilterNoise * kFilter_hz * period_s));
   for (std::size_t k = 0; k < stream.names.size(); ++k) {
     if (stream.other_side[k]) continue;
-    const double left_m = left * noise_of(stream, k, window);
-    if (left_m > limit_m) found.push_back({k, left_m});
+    all.push_back({k, left * noise_of(stream, k, window), limit_m});
+    if (std::isfinite(all.back().left_m)) levels.push_back(all.back().left_m);
+  }
+  const double relative_limit_m = kMaxJitterRatio * math::median(std::move(levels));
+  for (Trembling& one : all) {
+    one.limit_m = std::min(limit_m, std::max(kMaxMarkerJitter_m, relative_limit_m));
+    if (one.left_m > one.limit_m) found.push_back(one);
   }
   return found;
 }
@@ -68,13 +76,13 @@ std::vector<Doubt> check_jitter(const Demonstration& recording, const AuditInput
     doubt.flag.code = FlagCode::jitter;
     doubt.flag.subject = stream.names[worst->point];
     doubt.flag.value = worst->left_m;
-    doubt.flag.limit = limit_m;
+    doubt.flag.limit = worst->limit_m;
     doubt.flag.unit = "m";
     doubt.flag.text = fmt::format(
         "{} of {} tremble; {} most, by {:.1f} mm (standard deviation, at most {:.1f} mm is usual) "
         "after the low-pass",
         found.size(), count_with_noun(stream.names.size(), "point"), doubt.flag.subject,
-        kMillimetresPerMetre * doubt.flag.value, kMillimetresPerMetre * limit_m);
+        kMillimetresPerMetre * doubt.flag.value, kMillimetresPerMetre * worst->limit_m);
     doubts.push_back(std::move(doubt));
   }
   return doubts;

@@ -112,10 +112,11 @@ Doubt step_doubt(const PointStream& stream, const Group& group) {
 
 }  // namespace
 
-std::vector<Doubt> check_jumps(const Demonstration& recording, const AuditInput& /*input*/) {
+std::vector<Doubt> check_jumps(const Demonstration& recording, const AuditInput& /*input*/,
+                               StepTables& tables) {
   std::vector<Doubt> doubts;
   for (const PointStream& stream : point_streams(recording)) {
-    const StepTable steps = step_table(stream);
+    const StepTable& steps = tables.of(stream);
     std::vector<std::size_t> body_jump_rows;
     for (const BodyJump& jump : body_jumps(stream, steps)) body_jump_rows.push_back(jump.row);
     std::vector<Excursion> found = excursions(stream, steps, body_jump_rows), away;

@@ -12,10 +12,11 @@
 namespace morphe::imports {
 namespace {
 
-std::vector<std::size_t> columns_of_part(const MarkerStream& markers, const std::string& part) {
+std::vector<std::size_t> columns_of_part(const std::vector<std::string>& names,
+                                         const std::string& part) {
   std::vector<std::size_t> columns;
-  for (std::size_t k = 0; k < markers.names.size(); ++k) {
-    if (body_part(markers.names[k]).starts_with(part)) columns.push_back(k);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (body_part(names[k]).starts_with(part)) columns.push_back(k);
   }
   return columns;
 }
@@ -71,11 +72,12 @@ std::optional<DigitMarkers> digit_markers(const MarkerStream& markers,
                                           const std::optional<MarkerStream>& static_trial,
                                           const std::vector<RigidCluster>& clusters,
                                           const std::string& side) {
-  const auto thumb = columns_of_part(markers, side + " thumb tip");
-  const auto index = columns_of_part(markers, side + " index tip");
+  const auto thumb = columns_of_part(markers.names, side + " thumb tip");
+  const auto index = columns_of_part(markers.names, side + " index tip");
   if (thumb.size() != 1 || index.size() != 1) return std::nullopt;
-  DigitMarkers digits{thumb[0], index[0], columns_of_part(markers, side + " forearm"), {}, {}, {}};
-  if (digits.forearm.empty()) digits.forearm = columns_of_part(markers, side + " wrist,");
+  DigitMarkers digits{thumb[0], index[0], columns_of_part(markers.names, side + " forearm"),
+                      {},       {},       {}};
+  if (digits.forearm.empty()) digits.forearm = columns_of_part(markers.names, side + " wrist,");
   const auto hand = std::ranges::find(clusters, side + " hand", &RigidCluster::part);
   if (!static_trial || hand == clusters.end() || hand->shape.empty()) return digits;
   digits.static_thumb = median_of_part(*static_trial, side + " thumb tip");
@@ -86,6 +88,20 @@ std::optional<DigitMarkers> digit_markers(const MarkerStream& markers,
   const bool usable = is_known(digits.static_thumb) && is_known(digits.static_index) &&
                       order_by(reach_m, kMinReachMargin_m) != DigitOrder::exchanged;
   if (usable) digits.hand = *hand;
+  return digits;
+}
+
+std::optional<DigitMarkers> digit_joints(const std::vector<std::string>& names,
+                                         const std::string& side) {
+  const auto thumb = columns_of_part(names, side + " thumb"),
+             index = columns_of_part(names, side + " index");
+  const auto is_tip = [&](const auto& columns) {
+    return columns.size() == 1 && body_part(names[columns[0]]).ends_with(" tip");
+  };
+  if (!is_tip(thumb) || !is_tip(index)) return std::nullopt;
+  DigitMarkers digits{thumb[0], index[0], columns_of_part(names, side + " elbow"), {}, {}, {}};
+  const auto wrist = columns_of_part(names, side + " wrist");
+  digits.forearm.insert(digits.forearm.end(), wrist.begin(), wrist.end());
   return digits;
 }
 

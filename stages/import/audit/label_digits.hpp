@@ -8,10 +8,10 @@
 
 namespace morphe::imports {
 
-/// The markers on the tips of thumb and index finger, and what tells one from the other.
+/// The markers or joints at the tips of thumb and index finger, and what tells one from the other.
 struct DigitMarkers {
   std::size_t thumb = 0, index = 0;  ///< columns
-  std::vector<std::size_t> forearm;  ///< columns of its cluster, else of the wrist's landmarks
+  std::vector<std::size_t> forearm;  ///< columns of its cluster, else of landmarks or joints
   std::optional<RigidCluster> hand;  ///< if its shape and both tips are in the static trial
   Vec3 static_thumb, static_index;   ///< in the static trial's world [m]
 };
@@ -21,6 +21,11 @@ std::optional<DigitMarkers> digit_markers(const MarkerStream& markers,
                                           const std::optional<MarkerStream>& static_trial,
                                           const std::vector<RigidCluster>& clusters,
                                           const std::string& side);
+
+/// Returns the tips among the joints of one side; no value if one of them is missing, or if other
+/// joints of thumb or index finger tell which is which. `forearm` are elbow and wrist.
+std::optional<DigitMarkers> digit_joints(const std::vector<std::string>& names,
+                                         const std::string& side);
 
 /// Whether the tips carry their own names.
 enum class DigitOrder { unknown, own, exchanged };

@@ -7,6 +7,7 @@
 
 #include "core/math/rigid.hpp"
 #include "stages/import/audit/constants.hpp"
+#include "stages/import/audit/label_chain.hpp"
 #include "stages/import/audit/label_digits.hpp"
 
 namespace morphe::imports {
@@ -166,6 +167,14 @@ void relabel_after_gaps(LabelModel model, LabelTimeline& timeline) {
   }
 }
 
+/// Gives parts of the arms that carry each other's names their own.
+void relabel_parts(const std::vector<std::string>& names, LabelTimeline& timeline) {
+  const std::size_t rows = timeline.tracks.rows;
+  const Array2D<Vec3> frames = sample_frames(timeline.tracks, 0, rows, kSampledFrames);
+  const Permutation source = shortest_chain(frames, names);
+  if (source != identity_permutation(source.size())) timeline.relabel(0, rows, source);
+}
+
 void relabel_digits(const DigitMarkers& digits, LabelTimeline& timeline) {
   const Array2D<Vec3>& tracks = timeline.tracks;
   const Permutation exchanged = exchange_of(tracks.cols, digits.thumb, digits.index);
@@ -206,6 +215,17 @@ LabelTimeline continued_tracks(const std::vector<double>& time, const Array2D<Ve
   return timeline;
 }
 
+LabelTimeline find_joint_labels(const std::vector<double>& time, const Array2D<Vec3>& position,
+                                const std::vector<std::string>& names) {
+  LabelTimeline timeline = continued_tracks(time, position);
+  if (position.rows == 0) return timeline;
+  relabel_parts(names, timeline);
+  for (const char* side : {"right", "left"}) {
+    if (const auto digits = digit_joints(names, side)) relabel_digits(*digits, timeline);
+  }
+  return timeline;
+}
+
 LabelTimeline find_labels(const MarkerStream& markers,
                           const std::optional<MarkerStream>& static_trial) {
   LabelTimeline timeline = continued_tracks(markers.time, markers.position);
@@ -214,6 +234,7 @@ LabelTimeline find_labels(const MarkerStream& markers,
   choose_names(model, hands, timeline);
   const std::size_t rows = timeline.tracks.rows;
   if (rows == 0) return timeline;
+  relabel_parts(markers.names, timeline);
   relabel_after_gaps(model, timeline);
   const Permutation whole =
       find_relabelling(sample_frames(timeline.tracks, 0, rows, kSampledFrames), model);

@@ -27,13 +27,19 @@ struct LabelTimeline {
 /// they have at the beginning.
 LabelTimeline continued_tracks(const std::vector<double>& time, const Array2D<Vec3>& position);
 
+/// Returns the timeline of joints: tracks go on after exchanges, whole joints are given the order
+/// of shortest_chain(), and the tips of thumb and index finger that of digit_order().
+LabelTimeline find_joint_labels(const std::vector<double>& time, const Array2D<Vec3>& position,
+                                const std::vector<std::string>& names);
+
 /// Returns the timeline with the names that fit best:
 /// 1. Tracks that change places go on. Of the names before and after, those are right that fit the
 ///    clusters and the hand; if both fit, those before.
-/// 2. Frames after a gap in which a cluster does not fit, but does in the others, are relabelled as
+/// 2. Whole clusters get the order of shortest_chain().
+/// 3. Frames after a gap in which a cluster does not fit, but does in the others, are relabelled as
 ///    find_relabelling() finds.
-/// 3. So is the whole recording, and then again frames after a gap.
-/// 4. The tips of thumb and index finger get the order that digit_order() finds.
+/// 4. So is the whole recording, and then again frames after a gap.
+/// 5. The tips of thumb and index finger get the order that digit_order() finds.
 LabelTimeline find_labels(const MarkerStream& markers,
                           const std::optional<MarkerStream>& static_trial);
 

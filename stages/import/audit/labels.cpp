@@ -121,12 +121,12 @@ void move_back(const WrongNames& wrong, BodyStream& bodies) {
   move_back(wrong, bodies.confidence);
 }
 
-/// Adds doubts about bodies that change places. They keep the names that they begin with.
+/// Adds doubts about bodies that carry each other's names.
 void check_bodies(const std::optional<BodyStream>& bodies, MoveBack move,
                   std::vector<Doubt>& doubts) {
   if (!bodies || bodies->reconstructed) return;
-  add_doubts(wrong_names(continued_tracks(bodies->time, bodies->position)), bodies->names,
-             bodies->time, bodies->position, move, doubts);
+  add_doubts(wrong_names(find_joint_labels(bodies->time, bodies->position, bodies->names)),
+             bodies->names, bodies->time, bodies->position, move, doubts);
 }
 
 }  // namespace

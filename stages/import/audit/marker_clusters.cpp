@@ -8,14 +8,10 @@
 #include "stages/import/audit/sampled_points.hpp"
 
 namespace morphe::imports {
-namespace {
-
-bool is_member(const std::string& name, const std::string& cluster) {
+bool is_cluster_marker(const std::string& name, const std::string& cluster) {
   return name.size() > cluster.size() && name.starts_with(cluster) &&
          name.find_first_not_of("0123456789", cluster.size()) == std::string::npos;
 }
-
-}  // namespace
 
 Vec3 static_position(const Demonstration& recording, const std::string& marker) {
   const auto& trial = recording.calibration.markers;
@@ -33,7 +29,7 @@ ClusterPoses cluster_poses(const Demonstration& recording, const std::string& cl
   std::vector<std::size_t> columns;
   std::vector<Vec3> shape;
   for (std::size_t k = 0; markers && k < markers->names.size(); ++k) {
-    if (!is_member(markers->names[k], cluster)) continue;
+    if (!is_cluster_marker(markers->names[k], cluster)) continue;
     const Vec3 position = static_position(recording, markers->names[k]);
     if (!is_known(position)) continue;
     columns.push_back(k);

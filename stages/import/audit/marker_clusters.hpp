@@ -19,6 +19,9 @@ struct ClusterPoses {
 /// the recording. There are no frames with fewer than three markers, or without a static trial.
 ClusterPoses cluster_poses(const Demonstration& recording, const std::string& cluster);
 
+/// Returns true if a marker belongs to a cluster: "RHAN1" to "RHAN".
+bool is_cluster_marker(const std::string& name, const std::string& cluster);
+
 /// Returns the median position of a marker in the static trial; unseen if it does not show it.
 Vec3 static_position(const Demonstration& recording, const std::string& marker);
 

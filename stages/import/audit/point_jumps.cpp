@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "stages/import/audit/constants.hpp"
 
@@ -49,12 +50,12 @@ Jumps find_jumps(const PointStream& stream, const StepTable& steps,
                  const std::vector<std::size_t>& body_jump_rows) {
   Jumps jumps{stream, steps};
   jumps.rows.resize(stream.names.size());
-  std::vector<std::vector<std::size_t>> neighbours;
   for (std::size_t k = 0; k < stream.names.size(); ++k) {
+    std::optional<std::vector<std::size_t>> neighbours;
     for (std::size_t i = 0; i < stream.time.size() && !stream.other_side[k]; ++i) {
       if (!steps.is_outlier(i, k) || std::ranges::binary_search(body_jump_rows, i)) continue;
-      if (neighbours.empty()) neighbours = rigid_neighbours(stream);
-      if (is_jump(jumps, neighbours[k], i, k) && !is_exchange(jumps, i, k))
+      if (!neighbours) neighbours = rigid_neighbours(stream, k);
+      if (is_jump(jumps, *neighbours, i, k) && !is_exchange(jumps, i, k))
         jumps.rows[k].push_back(i);
     }
   }

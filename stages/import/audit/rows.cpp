@@ -110,13 +110,20 @@ Doubt held_doubt(const PointStream& stream, const HeldGroup& group) {
   doubt.flag.limit = kMinHeldJump_m;
   doubt.flag.unit = "m";
   const bool at_end = group.held.front().at_end;
+  const bool added = repeated && !at_end && !(catch_up(stream, group.held) >= kMinCatchUp);
+  const char* afterwards = at_end  ? "up to the end, after a step of"
+                           : added ? "and then go on without catching up, by up to"
+                                   : "and then jump by up to";
+  const char* answer = at_end  ? ""
+                       : added ? ": rows were written twice, which makes the recording slower; "
+                                 "remove them, or accept repeated_rows if all times are right"
+                               : ": hidden there";
   doubt.flag.text =
       fmt::format("{} exactly the same place in {} between {:.2f} and {:.2f} s, {} {:.0f} mm{}",
                   group.subject.empty() ? "all points have" : group.subject + " has",
-                  count_with_noun(count, "row"), doubt.flag.begin_s, doubt.flag.end_s,
-                  at_end ? "up to the end, after a step of" : "and then jump by up to",
-                  kMillimetresPerMetre * size_m, at_end ? "" : ": hidden there");
-  if (!at_end) doubt.mend = hiding(std::move(hidden));
+                  count_with_noun(count, "row"), doubt.flag.begin_s, doubt.flag.end_s, afterwards,
+                  kMillimetresPerMetre * size_m, answer);
+  if (!at_end && !added) doubt.mend = hiding(std::move(hidden));
   return doubt;
 }
 
@@ -136,6 +143,30 @@ Doubt lost_doubt(const PointStream& stream, const BodyJump& jump) {
   return doubt;
 }
 
+/// Returns the doubt about rows that are missing in many places.
+Doubt often_lost_doubt(const PointStream& stream, const std::vector<BodyJump>& jumps) {
+  Doubt doubt{
+      flag_between(stream, FlagCode::lost_rows, jumps.front().row - 1, jumps.back().row + 1)};
+  doubt.flag.value = std::ranges::max(jumps, {}, &BodyJump::size_m).size_m;
+  doubt.flag.limit = kMinOutlier_m;
+  doubt.flag.unit = "m";
+  doubt.flag.text = fmt::format(
+      "all points in motion jump by up to {:.0f} mm, {} times between {:.2f} and {:.2f} s: rows "
+      "are "
+      "missing before each jump",
+      kMillimetresPerMetre * doubt.flag.value, jumps.size(), doubt.flag.begin_s, doubt.flag.end_s);
+  return doubt;
+}
+
+void add_lost_doubts(const PointStream& stream, const std::vector<BodyJump>& jumps,
+                     std::vector<Doubt>& doubts) {
+  if (jumps.size() > kMaxNamedJumps) {
+    doubts.push_back(often_lost_doubt(stream, jumps));
+    return;
+  }
+  for (const BodyJump& jump : jumps) doubts.push_back(lost_doubt(stream, jump));
+}
+
 /// Returns true if the jump is into or out of rows that are held or repeated.
 bool is_explained(const BodyJump& jump, const std::vector<HeldRows>& held,
                   const std::vector<RepeatedBlock>& blocks) {
@@ -147,18 +178,19 @@ bool is_explained(const BodyJump& jump, const std::vector<HeldRows>& held,
 
 }  // namespace
 
-std::vector<Doubt> check_rows(const Demonstration& recording, const AuditInput& /*input*/) {
+std::vector<Doubt> check_rows(const Demonstration& recording, const AuditInput& /*input*/,
+                              StepTables& tables) {
   std::vector<Doubt> doubts;
   for (const PointStream& stream : point_streams(recording)) {
-    const StepTable steps = step_table(stream);
+    const StepTable& steps = tables.of(stream);
     const std::vector<RepeatedBlock> blocks = repeated_blocks(stream);
     const std::vector<HeldRows> held = held_rows(stream, steps);
     for (const RepeatedBlock& block : blocks) doubts.push_back(block_doubt(stream, block));
     for (const HeldGroup& group : groups_of(stream, held))
       doubts.push_back(held_doubt(stream, group));
-    for (const BodyJump& jump : body_jumps(stream, steps)) {
-      if (!is_explained(jump, held, blocks)) doubts.push_back(lost_doubt(stream, jump));
-    }
+    std::vector<BodyJump> jumps = body_jumps(stream, steps);
+    std::erase_if(jumps, [&](const BodyJump& jump) { return is_explained(jump, held, blocks); });
+    add_lost_doubts(stream, jumps, doubts);
   }
   return doubts;
 }

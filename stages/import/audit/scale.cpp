@@ -37,9 +37,16 @@ std::vector<Doubt> check_scale(const Demonstration& recording, const AuditInput&
     if (!input.unit_given) doubt.question = {"unit", ""};
     return {doubt};
   }
+  std::vector<Doubt> doubts;
+  if (size > kMaxAdultSize && !recording.streams.sensors) {
+    doubts.push_back(wrong_length("", size, false,
+                                  fmt::format("the body has {:.3g} of the size of an adult: {}; is "
+                                              "the calibration right?",
+                                              size, measured(lengths.front()))));
+    doubts.back().flag.limit = kMaxAdultSize;
+  }
   const std::vector<BodyLength> palms = palm_lengths(points);
   lengths.insert(lengths.end(), palms.begin(), palms.end());
-  std::vector<Doubt> doubts;
   for (const BodyLength& length : lengths) {
     const bool small = length.ratio() < kMinLengthRatio;
     if (!small && length.ratio() <= kMaxLengthRatio) continue;

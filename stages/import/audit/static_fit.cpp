@@ -68,6 +68,43 @@ double landmark_shift(const Demonstration& recording, const std::string& side,
          known_or_zero(gap_m(upper_arm, forearm, elbow)) / kOwnElbowGap_m;
 }
 
+/// A cluster of the static trial of which the recording has too few markers.
+struct MissingCluster {
+  std::size_t in_static = 0, recorded = 0;  ///< markers that are seen at all
+  std::string first_missing;
+};
+
+MissingCluster missing_cluster(const Demonstration& recording, const std::string& cluster) {
+  MissingCluster missing;
+  for (const std::string& name : recording.calibration.markers->names) {
+    if (!is_cluster_marker(name, cluster) || !is_known(static_position(recording, name))) continue;
+    ++missing.in_static;
+    const bool seen = std::ranges::any_of(marker_track(recording, name),
+                                          [](const Vec3& point) { return is_known(point); });
+    missing.recorded += seen ? 1 : 0;
+    if (!seen && missing.first_missing.empty()) missing.first_missing = name;
+  }
+  return missing;
+}
+
+/// Adds doubts about clusters that only the static trial shows: those of the arm, and both
+/// shoulders, which tell where the person faces.
+void add_missing_clusters(const Demonstration& recording, const std::string& side,
+                          std::vector<Doubt>& doubts) {
+  for (const std::string& cluster : {side + "SHO", side + "UAR", side + "LAR", side + "HAN",
+                                     (side == "R" ? "L" : "R") + std::string("SHO")}) {
+    const MissingCluster missing = missing_cluster(recording, cluster);
+    if (missing.in_static < kMinClusterSize || missing.recorded >= kMinClusterSize) continue;
+    doubts.push_back(of_another(
+        cluster, static_cast<double>(missing.recorded), static_cast<double>(kMinClusterSize), "1",
+        fmt::format("{} is in the static trial, not in the recording, which shows {} of the {} "
+                    "markers of cluster {} (needed: {}): positions and heading of the body are "
+                    "estimated without it",
+                    missing.first_missing, missing.recorded, missing.in_static, cluster,
+                    kMinClusterSize)));
+  }
+}
+
 }  // namespace
 
 std::vector<Doubt> check_static_trial(const Demonstration& recording, const AuditInput&) {
@@ -88,8 +125,10 @@ std::vector<Doubt> check_static_trial(const Demonstration& recording, const Audi
                     "another person or session, or markers were moved",
                     side, cluster, 1000 * poses.misfit_m)));
   }
+  const bool fits = doubts.empty();
+  add_missing_clusters(recording, side, doubts);
   const double shift = landmark_shift(recording, side, clusters);
-  if (doubts.empty() && !flagged(FlagCode::static_trial) && shift > kMaxLandmarkShift) {
+  if (fits && !flagged(FlagCode::static_trial) && shift > kMaxLandmarkShift) {
     doubts.push_back(of_another(
         "", shift, kMaxLandmarkShift, "1",
         fmt::format(

@@ -12,8 +12,8 @@ namespace {
 /// A step of a point from one seen sample to the next one.
 struct SeenStep {
   std::size_t row = 0;
-  double periods = 1;  ///< time between the two
-  Vec3 per_period;     ///< [m]
+  double periods = 1;         ///< time between the two
+  Eigen::Array4d per_period;  ///< [m] and an unused 0, which makes it one packet of the processor
 };
 
 std::vector<SeenStep> seen_steps(const PointStream& stream, double period_s, std::size_t point) {
@@ -24,7 +24,10 @@ std::vector<SeenStep> seen_steps(const PointStream& stream, double period_s, std
     if (last >= 0) {
       const double periods = (stream.time[i] - stream.time[last]) / period_s;
       const Vec3 step = stream.position(i, point) - stream.position(last, point);
-      if (periods > 0 && periods <= kMaxStepGap) steps.push_back({i, periods, step / periods});
+      if (periods > 0 && periods <= kMaxStepGap) {
+        const Vec3 per_period = step / periods;
+        steps.push_back({i, periods, {per_period.x(), per_period.y(), per_period.z(), 0}});
+      }
     }
     last = static_cast<std::ptrdiff_t>(i);
   }
@@ -36,17 +39,17 @@ std::vector<SeenStep> seen_steps(const PointStream& stream, double period_s, std
 Vec3 usual_step(const std::vector<SeenStep>& steps, std::ptrdiff_t at) {
   const auto begin = std::max<std::ptrdiff_t>(0, at - kStepWindow);
   const auto end = std::min(std::ssize(steps), at + kStepWindow + 1);
-  Eigen::Array3d values[2 * kStepWindow + 1];
+  Eigen::Array4d values[2 * kStepWindow + 1];
   const std::ptrdiff_t count = end - begin, middle = count / 2;
-  for (std::ptrdiff_t k = 0; k < count; ++k) values[k] = steps[begin + k].per_period.array();
+  for (std::ptrdiff_t k = 0; k < count; ++k) values[k] = steps[begin + k].per_period;
   for (std::ptrdiff_t k = 0; k <= middle; ++k) {
     for (std::ptrdiff_t m = k + 1; m < count; ++m) {
-      const Eigen::Array3d smaller = values[k].min(values[m]);
+      const Eigen::Array4d smaller = values[k].min(values[m]);
       values[m] = values[k].max(values[m]);
       values[k] = smaller;
     }
   }
-  return values[middle].matrix();
+  return values[middle].matrix().head<3>();
 }
 
 /// Returns the median residual in the rows around one, itself excluded.
@@ -107,7 +110,7 @@ StepTable step_table(const PointStream& stream) {
     std::vector<double> lengths;
     for (std::ptrdiff_t at = 0; at < std::ssize(steps); ++at) {
       const Vec3 usual = usual_step(steps, at);
-      const Vec3 residual = steps[at].periods * (steps[at].per_period - usual);
+      const Vec3 residual = steps[at].periods * (steps[at].per_period.matrix().head<3>() - usual);
       table.usual(steps[at].row, k) = usual;
       table.residual(steps[at].row, k) = residual;
       table.periods[steps[at].row * points + k] = steps[at].periods;
@@ -119,26 +122,26 @@ StepTable step_table(const PointStream& stream) {
   return table;
 }
 
-std::vector<std::vector<std::size_t>> rigid_neighbours(const PointStream& stream) {
-  const std::size_t points = stream.position.cols;
+const StepTable& StepTables::of(const PointStream& stream) {
+  auto table = tables_.find(stream.kind);
+  if (table == tables_.end()) table = tables_.emplace(stream.kind, step_table(stream)).first;
+  return table->second;
+}
+
+std::vector<std::size_t> rigid_neighbours(const PointStream& stream, std::size_t point) {
   std::vector<std::size_t> rows;
   const std::size_t stride = std::max<std::size_t>(1, stream.position.rows / kNeighbourSamples);
   for (std::size_t i = 0; i < stream.position.rows; i += stride) rows.push_back(i);
-  std::vector<std::vector<std::pair<double, std::size_t>>> near(points);
-  for (std::size_t a = 0; a < points; ++a) {
-    for (std::size_t b = a + 1; b < points; ++b) {
-      double distance_m = 0;
-      if (!keep_distance(stream, rows, a, b, distance_m)) continue;
-      near[a].emplace_back(distance_m, b);
-      near[b].emplace_back(distance_m, a);
-    }
+  std::vector<std::pair<double, std::size_t>> near;
+  for (std::size_t k = 0; k < stream.position.cols; ++k) {
+    double distance_m = 0;
+    if (k != point && keep_distance(stream, rows, point, k, distance_m))
+      near.emplace_back(distance_m, k);
   }
-  std::vector<std::vector<std::size_t>> neighbours(points);
-  for (std::size_t k = 0; k < points; ++k) {
-    std::ranges::sort(near[k]);
-    for (std::size_t m = 0; m < std::min(kMaxNeighbours, near[k].size()); ++m)
-      neighbours[k].push_back(near[k][m].second);
-  }
+  std::ranges::sort(near);
+  std::vector<std::size_t> neighbours;
+  for (std::size_t m = 0; m < std::min(kMaxNeighbours, near.size()); ++m)
+    neighbours.push_back(near[m].second);
   return neighbours;
 }
 

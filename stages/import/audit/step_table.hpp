@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -31,9 +32,21 @@ struct StepTable {
 /// Computes the table of a stream; its period is 0 if the stream has fewer than kMinJudgedRows.
 StepTable step_table(const PointStream& stream);
 
-/// Returns for each point up to six others that keep their distance from it, nearest first: markers
-/// of the same plate, joints of the same bone.
-std::vector<std::vector<std::size_t>> rigid_neighbours(const PointStream& stream);
+/// The step tables of a recording's streams, each computed when it is first asked for.
+class StepTables {
+ public:
+  /// Returns the table of a stream; the reference is valid until clear().
+  const StepTable& of(const PointStream& stream);
+  /// Forgets all tables, because the recording has changed.
+  void clear() { tables_.clear(); }
+
+ private:
+  std::map<PointStreamKind, StepTable> tables_;
+};
+
+/// Returns up to six other points that keep their distance from one, nearest first: markers of the
+/// same plate, joints of the same bone.
+std::vector<std::size_t> rigid_neighbours(const PointStream& stream, std::size_t point);
 
 /// Returns the part of a residual that the point's rigid neighbours do not share; no value if fewer
 /// than two of them were seen.

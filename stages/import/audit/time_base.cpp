@@ -129,15 +129,19 @@ std::vector<Doubt> check_time_base(const Demonstration& recording, const AuditIn
   const FilledTrack track = fill(hand, points.time, recording.flags);
   const Tempo tempo = tempo_of(track, period_s);
   const double limit = at_table ? kMaxTableAcceleration_m_s2 : kMaxAcceleration_m_s2;
-  const bool fast = tempo.acceleration_m_s2 > limit;
-  if (!fast && !(at_table && tempo.frequency_hz > 0 && tempo.frequency_hz < kMinTableFrequency_hz))
-    return {};
+  const bool strong = tempo.acceleration_m_s2 > limit;
+  const bool quick = at_table && tempo.frequency_hz > kQuickFrequency_hz &&
+                     tempo.acceleration_m_s2 > kQuickAcceleration_m_s2;
+  const bool slow =
+      at_table && tempo.frequency_hz > 0 && tempo.frequency_hz < kMinTableFrequency_hz;
+  if (!strong && !quick && !slow) return {};
   const double rate_hz = 1 / period_s, likely_hz = likely_rate(track);
   Doubt doubt;
   doubt.flag.code = FlagCode::time_base;
   doubt.flag.subject = side + " hand";
+  const bool fast = strong || quick;
   doubt.flag.value = fast ? tempo.acceleration_m_s2 : tempo.frequency_hz;
-  doubt.flag.limit = fast ? limit : kMinTableFrequency_hz;
+  doubt.flag.limit = strong ? limit : quick ? kQuickAcceleration_m_s2 : kMinTableFrequency_hz;
   doubt.flag.unit = fast ? "m/s2" : "Hz";
   doubt.flag.text = fmt::format(
       "the {} moves {} than people {}: {:.1f} m/s2 and {:.2f} Hz (rms); are {:.4g} rows per second "

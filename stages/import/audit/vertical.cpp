@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/math/statistics.hpp"
+#include "stages/import/audit/arm_side.hpp"
 #include "stages/import/audit/checks.hpp"
 #include "stages/import/audit/constants.hpp"
 #include "stages/import/audit/sampled_points.hpp"
@@ -39,6 +40,21 @@ double shoulder_slope_rad(const RecordedPoints& points) {
   return math::median(slopes);
 }
 
+/// Returns the least angle of the upper arm from the vertical, at rest or in all frames; NaN
+/// without shoulder and elbow.
+double upper_arm_rad(const RecordedPoints& points, const RecordedPoints& rest, Side side) {
+  return std::fmin(arm_bearing(points, side).upper_arm_rad, arm_bearing(rest, side).upper_arm_rad);
+}
+
+/// Flags an arm without a trunk whose elbow is not below its shoulder.
+std::vector<Doubt> raised_arm(double angle_rad) {
+  if (!(angle_rad > kMaxUpperArm_rad)) return {};
+  return {tilted(angle_rad, kMaxUpperArm_rad,
+                 fmt::format("the upper arm is {:.0f} degrees from hanging down, also at rest: do "
+                             "the axes point right, forward and up?",
+                             angle_rad / kRadPerDegree))};
+}
+
 /// Returns the doubt that the vertical of the body is not Z but another axis.
 Doubt lying(const Guess& axes, double tilt, bool axes_given) {
   Doubt doubt = tilted(tilt, kMaxTilt_rad,
@@ -54,17 +70,20 @@ Doubt lying(const Guess& axes, double tilt, bool axes_given) {
 std::vector<Doubt> check_vertical(const Demonstration& recording, const AuditInput& input) {
   const RecordedPoints points = sampled_points(recording.streams, recording.hand);
   const Guess axes = guess_axes(points);
-  if (axes.value.empty()) return {};
   const RecordedPoints rest = frames_at_rest(points, recording.hand);
   const BodyVertical body = body_vertical(points);
+  const double arm = body.trunk_known ? 0 : upper_arm_rad(points, rest, recording.hand);
+  if (axes.value.empty()) return raised_arm(arm);
   const double tilt = std::fmin(tilt_rad(body), tilt_rad(body_vertical(rest)));
   if (axes.confidence == Confidence::sure && !axes.value.ends_with(" z"))
     return {lying(axes, tilt, input.axes_given)};
   const double max_tilt = body.trunk_known ? kMaxTilt_rad : kMaxArmTilt_rad;
   const double slope = std::abs(shoulder_slope_rad(rest));
-  if (!(tilt > max_tilt) && !(slope > kMaxShoulderSlope_rad)) return {};
-  if (axes_agreement(points, Handedness::left) > axes_agreement(points, Handedness::right))
-    return {};  // check_chirality() reports a mirrored body, which has no such rotation
+  if (!(tilt > max_tilt) && !(slope > kMaxShoulderSlope_rad)) return raised_arm(arm);
+  const AxesAgreement agreement = axes_agreement(points);
+  if (agreement.left_handed > agreement.right_handed)
+    return raised_arm(
+        arm);  // check_chirality() reports a mirrored body, which has no such rotation
   if (tilt > max_tilt) {
     return {tilted(tilt, max_tilt,
                    fmt::format("the body's vertical is {:.0f} degrees from z: are the axes of the "

@@ -27,7 +27,8 @@ Eigen::Matrix3d world_from_recorded_points(const RecordedPoints& world,
 /// Returns the recorded axes that are these axes of the world.
 std::string recorded_axes(const RecordingFormat& format, const RecordingFiles& files,
                           const std::string& world_axes) {
-  const RecordedPoints world = recorded_points(format.read(files).streams, files.hand);
+  const RecordedPoints world =
+      recorded_points(read_distinct_rows(format, files).streams, files.hand);
   const RecordedPoints recorded =
       recorded_points(read_unchecked(format, files, "axes").streams, files.hand);
   if (world.position.values.size() != recorded.position.values.size()) return "";
@@ -58,7 +59,7 @@ RecordingFiles with_answer(RecordingFiles files, const std::string& key, const s
 /// Returns true if the recording can be read with these conventions and then lacks such a flag.
 bool removes(const RecordingFormat& format, const RecordingFiles& files, FlagCode code) {
   try {
-    Demonstration recording = format.read(files);
+    Demonstration recording = read_distinct_rows(format, files);
     recording.hand = files.hand;
     const AuditInput answered{.file = files.file.string(),
                               .axes_given = true,

@@ -4,10 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
-#include "core/files/text_encoding.hpp"
+#include "core/files/file_kind.hpp"
 #include "core/store/consistency.hpp"
 #include "stages/import/audit/audit.hpp"
 #include "stages/import/folders/audit_answer.hpp"
@@ -16,33 +15,13 @@
 #include "stages/import/guess/heading.hpp"
 #include "stages/import/guess/name_map.hpp"
 #include "stages/import/guess/unresolved_import.hpp"
-#include "stages/import/recording/file_kind.hpp"
 
 namespace morphe::imports {
 namespace {
 
-std::string read_file_head(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
-      !std::filesystem::is_directory(status)) {
-    throw InputError(
-        fmt::format("{}: is not a regular file; pipes cannot be read, as it is read more than once",
-                    file.string()));
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(status))
-    throw InputError(fmt::format("{}: cannot be read", file.string()));
-  constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
-  std::string head(kHeadSize_bytes, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(stream.gcount());
-  if (const auto order = files::utf16_order(head)) return files::utf8_from_utf16(head, *order);
-  return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
-}
-
-[[noreturn]] void throw_foreign(const std::string& file, const FileKind& kind) {
-  throw InputError(fmt::format("{}: is {}; {}", file, kind.name, kind.advice));
+[[noreturn]] void throw_foreign(const std::string& file, const files::FileKind& kind) {
+  throw InputError(fmt::format("{}: is {}; {}", file, kind.name,
+                               kind.advice.empty() ? "give the recording itself" : kind.advice));
 }
 
 const RecordingFormat& format_of(const std::string& file, const std::string& name) {
@@ -50,7 +29,7 @@ const RecordingFormat& format_of(const std::string& file, const std::string& nam
   if (named != recording_formats().end()) return *named;
   const RecordingFormat* const recognised = name.empty() ? recognised_format(file) : nullptr;
   if (recognised) return *recognised;
-  if (const auto kind = foreign_file_kind(read_file_head(file)); kind && name.empty())
+  if (const auto kind = files::file_kind(files::read_file_head(file)); kind && name.empty())
     throw_foreign(file, *kind);
   const std::string known = fmt::format("{}", fmt::join(import_format_names(), ", "));
   throw InputError(name.empty()
@@ -89,8 +68,8 @@ void question_recording(const RecordingFormat& format, const RecordingFiles& fil
 }  // namespace
 
 const RecordingFormat* recognised_format(const std::filesystem::path& file) {
-  const std::string head = read_file_head(file);
-  const std::optional<FileKind> kind = foreign_file_kind(head);
+  const std::string head = files::read_file_head(file);
+  const std::optional<files::FileKind> kind = files::file_kind(head);
   if (kind && kind->pointer) throw_foreign(file.string(), *kind);  // in a folder, it is missed
   // A binary file of a known kind is not looked at by the formats: an .xlsx is a zip as an .npz is.
   if (kind && head.find('\0') != head.npos) return nullptr;

@@ -63,9 +63,11 @@ std::vector<AxesChoice> axes_choices(const std::vector<BodyCue>& cues, Handednes
 
 }  // namespace
 
-double axes_agreement(const RecordedPoints& points, Handedness handedness) {
+AxesAgreement axes_agreement(const RecordedPoints& points) {
   const std::vector<BodyCue> cues = axes_cues(points);
-  return cues.empty() ? kUnknown : axes_choices(cues, handedness).front().agreement;
+  if (cues.empty()) return {};
+  return {axes_choices(cues, Handedness::right).front().agreement,
+          axes_choices(cues, Handedness::left).front().agreement};
 }
 
 BodyVertical body_vertical(const RecordedPoints& points) {

@@ -32,14 +32,20 @@ enum class Handedness : std::uint8_t { right, left };
 /// (body_cues.hpp).
 Guess guess_axes(const RecordedPoints& points, Handedness handedness = Handedness::right);
 
-/// Returns the agreement of the axes that guess_axes() finds: the weighted mean of the cosines
-/// between the recorded cues and their usual directions, up to 1; NaN if there are no cues.
-double axes_agreement(const RecordedPoints& points, Handedness handedness);
+/// The agreement of the axes that guess_axes() finds for either handedness: the weighted mean of
+/// the cosines between the recorded cues and their usual directions, up to 1; NaN if there are no
+/// cues.
+struct AxesAgreement {
+  double right_handed = kUnknown, left_handed = kUnknown;
+};
+
+/// Computes the agreement of the best axes.
+AxesAgreement axes_agreement(const RecordedPoints& points);
 
 /// The vertical of a recorded body.
 struct BodyVertical {
   Vec3 up = unknown_point();    ///< unit vector in the recorded axes; unseen without two cues
-  double agreement = kUnknown;  ///< of the rotation, as for axes_agreement()
+  double agreement = kUnknown;  ///< of the rotation, as of AxesAgreement
   bool trunk_known = false;     ///< true if a cue is the trunk's, not only an arm's
 };
 

@@ -108,10 +108,10 @@ std::vector<Vec3> mean_track(const RecordedPoints& points, std::string_view part
   for (int k = 0; k < std::ssize(points.parts); ++k) {
     if (points.parts[k].starts_with(part_prefix)) columns.push_back(k);
   }
-  for (int i = 0; i < std::ssize(track); ++i) {
-    std::vector<Vec3> seen;
-    for (const int k : columns) seen.push_back(points.position(i, k));
-    track[i] = mean_of(seen);
+  std::vector<Vec3> row(columns.size());
+  for (int i = 0; i < std::ssize(track) && !columns.empty(); ++i) {
+    for (int m = 0; m < std::ssize(columns); ++m) row[m] = points.position(i, columns[m]);
+    track[i] = mean_of(row);
   }
   return track;
 }

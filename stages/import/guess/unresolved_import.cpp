@@ -31,15 +31,8 @@ void set_placeholder(Conventions& conventions, const std::string& key) {
   if (key != "joint_order") set_convention(conventions, key, key == "axes" ? "x y z" : "1");
 }
 
-/// Reads the recording, without rows that repeat a time.
-Demonstration read_rows(const RecordingFormat& format, const RecordingFiles& files) {
-  Demonstration demonstration = format.read(files);
-  drop_repeated_rows(files.file.string(), demonstration);
-  return demonstration;
-}
-
 Demonstration read_checked(const RecordingFormat& format, const RecordingFiles& files) {
-  Demonstration demonstration = read_rows(format, files);
+  Demonstration demonstration = read_distinct_rows(format, files);
   check_plausibility(files.file.string(), demonstration);
   return demonstration;
 }
@@ -222,6 +215,12 @@ Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingF
 
 }  // namespace
 
+Demonstration read_distinct_rows(const RecordingFormat& format, const RecordingFiles& files) {
+  Demonstration demonstration = format.read(files);
+  drop_repeated_rows(files.file.string(), demonstration);
+  return demonstration;
+}
+
 Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,
                              const std::string& key) {
   std::set<std::string> replaced = {key};
@@ -229,7 +228,7 @@ Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files
   set_placeholder(files.conventions, key);
   while (true) {
     try {
-      return read_rows(format, files);
+      return read_distinct_rows(format, files);
     } catch (const UnresolvedConvention& missing) {
       if (!replaced.insert(missing.key).second) throw;
       set_placeholder(files.conventions, missing.key);

@@ -34,6 +34,10 @@ struct UnresolvedImport : InputError {
   bool names_unresolved = false;
 };
 
+/// Reads a recording as its format does, without rows that repeat the time of the row before. All
+/// other functions read recordings with it.
+Demonstration read_distinct_rows(const RecordingFormat& format, const RecordingFiles& files);
+
 /// Reads a recording without plausibility checks, in its own coordinates instead of those of the
 /// convention `key` ("axes": x y z, "unit": metres), and of any that are missing.
 Demonstration read_unchecked(const RecordingFormat& format, RecordingFiles files,

@@ -19,9 +19,17 @@ constexpr double kMaxOtherShare = 0.5;  ///< of all other coordinates, to a fill
 constexpr double kMaxCoordinate = 1e9;  ///< [file's unit] of a place: 1000 km in millimetres
 constexpr double kSmallFiller = -1;
 
+/// Returns true if a number is more than 1 % below the next power of ten: its digits are not nines.
+bool is_below_nines(double value) {
+  double power = 100;
+  while (power < value) power *= 10;
+  return value < 0.99 * power;
+}
+
 /// Returns true if the digits of a number are nines, at least three: 999, -9999, 999.9.
 bool is_nines(double value) {
   if (!(std::abs(value) > kMinNines) || std::abs(value) > kMaxCoordinate) return false;
+  if (is_below_nines(std::abs(value))) return false;  // nearly all are: text takes long
   std::string digits = fmt::format("{:.6f}", std::abs(value));
   std::erase(digits, '.');
   digits.erase(digits.find_last_not_of('0') + 1);

@@ -73,6 +73,7 @@ TEST_F(StlFile, TextMayBeginWithBlanksOrAMarkAndHasAnyCase) {
 
 TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
   std::string cut = binary(2, 1);
+  EXPECT_EQ(read(cut), "the header states 2 facets, but the file has only 1");
   cut[0] = 'x';
   EXPECT_EQ(read(cut), "the header states 2 facets, but the file has only 1");
   std::string huge = binary(0xffffffff, 1);
@@ -88,6 +89,11 @@ TEST_F(StlFile, WhatIsCutOrClaimsMoreIsRefused) {
   EXPECT_EQ(read("solid\n" + two + two + two + "endfacet\n"),
             "line 8: the facet that ends here has 6 vertices, not 3");
   EXPECT_EQ(read("solid\nvertex 1 2 3\n"), "the file ends within a facet");
+  for (const std::size_t size : {4, 50, 83}) {
+    EXPECT_EQ(
+        read(binary(1, 1).substr(0, size)),
+        fmt::format("the header of a binary STL has 84 bytes, but the file has only {}", size));
+  }
   EXPECT_EQ(read(""), "");  // nothing: a mesh without triangles is for others to refuse
   EXPECT_TRUE(mesh.triangles.empty());
 }

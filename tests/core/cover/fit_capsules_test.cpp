@@ -22,16 +22,6 @@ SceneObject at_origin(Shape shape, std::vector<double> size) {
   return body;
 }
 
-SceneObject mesh_of(const std::vector<Triangle>& triangles) {
-  SceneObject body = at_origin(Shape::mesh, {});
-  for (const Triangle& t : triangles) {
-    const int first = static_cast<int>(body.vertices.size());
-    body.vertices.insert(body.vertices.end(), {t.a, t.b, t.c});
-    body.triangles.emplace_back(first, first + 1, first + 2);
-  }
-  return body;
-}
-
 /// A tube of radius 15 mm bent to a ring of 60 mm.
 SceneObject ring() {
   constexpr int kAround = 48, kAcross = 20;
@@ -115,7 +105,7 @@ TEST_P(Covers, HoldsTheSurfaceWithinItsBudget) {
   const Case which = cases()[static_cast<std::size_t>(GetParam())];
   for (const int budget : {1, 4, 12}) {
     const std::vector<SceneObject> bodies = which.bodies();
-    const CapsuleFit cover = fit_capsules(bodies, budget, which.name);
+    const CapsuleFit cover = fit_capsules(bodies, {budget}, which.name);
     ASSERT_FALSE(cover.capsules.empty());
     EXPECT_LE(cover.capsules.size(), static_cast<std::size_t>(budget));
     double worst = 0;
@@ -134,37 +124,37 @@ TEST(Cover, MoreCapsulesStandOffLess) {
   for (const char* name : {"box", "ring", "angle"}) {
     for (const Case& which : cases()) {
       if (which.name != name) continue;
-      const double few = fit_capsules(which.bodies(), 2, name).quality.standoff_95_m;
-      const double more = fit_capsules(which.bodies(), 16, name).quality.standoff_95_m;
+      const double few = fit_capsules(which.bodies(), {2}, name).quality.standoff_95_m;
+      const double more = fit_capsules(which.bodies(), {16}, name).quality.standoff_95_m;
       EXPECT_LT(more, 0.7 * few) << name;
     }
   }
   // A ring of eight capsules stands off its tube by millimetres, not by its radius.
-  EXPECT_LT(fit_capsules({ring()}, 10, "ring").quality.standoff_95_m, 0.008);
+  EXPECT_LT(fit_capsules({ring()}, {10}, "ring").quality.standoff_95_m, 0.008);
 }
 
 TEST(Cover, ABoxIsHeldMoreTightlyThanByARowAlongIt) {
   // A row of two capsules along a box of 100 x 60 x 30 mm stands 34 mm off its ends.
-  const CapsuleFit cover = fit_capsules({at_origin(Shape::box, {0.1, 0.06, 0.03})}, 6, "box");
+  const CapsuleFit cover = fit_capsules({at_origin(Shape::box, {0.1, 0.06, 0.03})}, {6}, "box");
   EXPECT_LT(cover.quality.standoff_95_m, 0.012);
 }
 
 TEST(Cover, BallsAndCapsulesStayWhatTheyAre) {
   const SceneObject ball = shifted(at_origin(Shape::sphere, {0.02}), {0, 0, 0.1});
   const SceneObject other = shifted(at_origin(Shape::sphere, {0.02}), {0, 0, -0.1});
-  const CapsuleFit one = fit_capsules({ball}, 4, "ball");
+  const CapsuleFit one = fit_capsules({ball}, {4}, "ball");
   ASSERT_EQ(one.capsules.size(), 1u);
   EXPECT_EQ(one.capsules[0].radius, 0.02);
   EXPECT_EQ(one.capsules[0].from, Vec3(0, 0, 0.1));
   const CapsuleFit rod =
-      fit_capsules({at_origin(Shape::cylinder, {0.02, 0.2}), ball, other}, 4, "rod");
+      fit_capsules({at_origin(Shape::cylinder, {0.02, 0.2}), ball, other}, {4}, "rod");
   ASSERT_EQ(rod.capsules.size(), 1u);
   EXPECT_EQ((rod.capsules[0].to - rod.capsules[0].from).norm(), 0.2);
   EXPECT_EQ(rod.quality.largest_gap_m, 0);
 }
 
 TEST(Cover, TheSameTwice) {
-  const CapsuleFit a = fit_capsules({ring()}, 8, "ring"), b = fit_capsules({ring()}, 8, "ring");
+  const CapsuleFit a = fit_capsules({ring()}, {8}, "ring"), b = fit_capsules({ring()}, {8}, "ring");
   ASSERT_EQ(a.capsules.size(), b.capsules.size());
   for (std::size_t k = 0; k < a.capsules.size(); ++k) {
     EXPECT_EQ(a.capsules[k].from, b.capsules[k].from);
@@ -174,7 +164,7 @@ TEST(Cover, TheSameTwice) {
 
 TEST(Voxels, DistancesAreThoseFromTheSurface) {
   const std::vector<SceneObject> ball = {at_origin(Shape::sphere, {0.1})};
-  const Voxels voxels = voxels_of(sample_area(surface_of(ball), 100000, "ball"), 60);
+  const Voxels voxels = voxels_of(surface_of(ball), 60);
   double worst = 0;
   for (int z = 0; z < voxels.count.z(); ++z) {
     for (int x = 0; x < voxels.count.x(); ++x) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/SVD>
+#include <cmath>
 #include <random>
 
 namespace morphe::math {
@@ -53,6 +55,34 @@ TEST(FitRigid, RefusesTwoMarkersAndCollinearOnes) {
   EXPECT_FALSE(fit_rigid_transform(kStill, now).matrix().allFinite());
   const std::vector<Vec3> line = {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0, 0}};
   EXPECT_FALSE(fit_rigid_transform(line, line).matrix().allFinite());
+}
+
+/// Thin clouds of points of all sizes, 0.3 to 30 mm wide: those whose second singular value is
+/// below 2 mm are refused, and no others.
+TEST(FitRigid, RefusesExactlyTheCloudsWithASmallSecondSingularValue) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> exponent(-3.5, -1.5), longer(0, 4);
+  int refused = 0;
+  constexpr int kTrials = 2000;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    const double width_m = std::pow(10, exponent(random));
+    const double length_m = width_m * std::pow(10, longer(random));
+    std::vector<Vec3> cloud;
+    for (int k = 0; k < 3 + trial % 3; ++k) {
+      cloud.emplace_back(length_m * normal(random), width_m * normal(random),
+                         width_m * normal(random));
+    }
+    cloud = moved(random_pose(random), cloud);
+    Eigen::Matrix3Xd centred(3, cloud.size());
+    for (std::size_t k = 0; k < cloud.size(); ++k) centred.col(k) = cloud[k];
+    centred.colwise() -= Vec3(centred.rowwise().mean());
+    const bool thin = Eigen::JacobiSVD<Eigen::Matrix3Xd>(centred).singularValues()[1] < 0.002;
+    EXPECT_EQ(fit_rigid_transform(cloud, cloud).matrix().allFinite(), !thin) << trial;
+    refused += thin ? 1 : 0;
+  }
+  EXPECT_GT(refused, kTrials / 10);
+  EXPECT_LT(refused, kTrials - kTrials / 10);
 }
 
 }  // namespace

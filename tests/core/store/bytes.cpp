@@ -62,6 +62,16 @@ TEST(Bytes, ShapesOfBlobsAreComparedInFull) {
   }
 }
 
+TEST(Bytes, NothingMayFollowAPlanARobotOrAHeader) {
+  const std::string plan = bytes_of(full_plan("zz", 0)), robot = bytes_of(small_robot()),
+                    header = bytes_of(plan_header());
+  for (const std::string& more : {std::string(1, '\0'), plan}) {
+    EXPECT_EQ(input_error([&] { plan_from_bytes(plan + more); }), "is damaged");
+    EXPECT_EQ(input_error([&] { robot_from_bytes(robot + more); }), "is damaged");
+    EXPECT_EQ(input_error([&] { header_from_bytes(header + more); }), "is damaged");
+  }
+}
+
 TEST(Bytes, DamagedOnesAreRefusedOrReadAsSomethingElse) {
   const std::string bytes = bytes_of(full_plan("zz", 0));
   for (std::size_t length = 0; length < bytes.size(); length += 7) {

@@ -1,4 +1,5 @@
 // What `morphe robot` says and draws, against a robot small enough to know by heart.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <array>
@@ -9,6 +10,7 @@
 #include "pipeline/describe/robot_svg.hpp"
 #include "pipeline/describe/robot_text.hpp"
 #include "pipeline/describe/self_collision.hpp"
+#include "pipeline/describe/svg_labels.hpp"
 
 namespace morphe::describe {
 namespace {
@@ -95,39 +97,66 @@ std::vector<std::pair<double, double>> dots(const std::string& svg, const std::s
 }
 
 TEST(RobotDrawing, TipsStandWhereTheyAreToScale) {
-  const std::string svg = robot_svg(two_links().table);
-  const auto tips = dots(svg, "#c0392b"), joints = dots(svg, "#1f5fa8");
-  ASSERT_EQ(tips.size(), 8u);  // two tips, two postures, two views
-  ASSERT_EQ(joints.size(), 12u);
-  std::size_t bar = svg.find("<path d=\"M");
-  const double per_metre = 10 * number_behind(svg, "h", bar += 10);
+  robot::RobotDescription robot = two_links();
+  const auto scale_of = [](const std::string& svg) {
+    std::size_t bar = svg.rfind("<path d=\"M");
+    return 10 * number_behind(svg, "h", bar += 10);
+  };
+  std::string svg = robot_svg(robot.table);
+  auto tips = dots(svg, "#c0392b"), joints = dots(svg, "#1f5fa8");
+  ASSERT_EQ(tips.size(), 4u);  // two tips, two views
+  ASSERT_EQ(joints.size(), 4u);
+  EXPECT_EQ(dots(svg, "#2e7d4f").size(), 2u);  // the finger's
   // At zero the end stands 0.5 m above joint a, in both views.
   for (const std::size_t view : {0u, 1u}) {
-    EXPECT_NEAR(joints[3 * view].second - tips[2 * view].second, 0.5 * per_metre, 0.1);
-    EXPECT_NEAR(tips[2 * view].first, joints[3 * view].first, 0.02);
+    EXPECT_NEAR(joints[2 * view].second - tips[2 * view].second, 0.5 * scale_of(svg), 0.1);
+    EXPECT_NEAR(tips[2 * view].first, joints[2 * view].first, 0.02);
   }
-  // Bent about x by 30 degrees and by 0.25 rad, which is all that b allows: to the left of y.
-  const double a = std::numbers::pi / 6, b = a + 0.25;
-  EXPECT_NEAR(tips[4].first - joints[6].first, -per_metre * (0.3 * std::sin(a) + 0.2 * std::sin(b)),
-              0.1);
-  EXPECT_NEAR(joints[6].second - tips[4].second,
-              per_metre * (0.3 * std::cos(a) + 0.2 * std::cos(b)), 0.1);
-  EXPECT_NEAR(tips[6].first, joints[9].first, 0.02);  // from the side it stays on x = 0
   EXPECT_THAT(svg, HasSubstr("two &lt;links&gt;: 2 joints"));
-  EXPECT_EQ(svg, robot_svg(two_links().table));
+  EXPECT_EQ(svg, robot_svg(robot.table));
+  // Bent about x, as the limits want it: to the left of y.
+  const double a = std::numbers::pi / 6, b = a + 0.25;
+  robot.table.lower = (JointVector(2) << a, 0.25).finished();
+  svg = robot_svg(robot.table);
+  tips = dots(svg, "#c0392b");
+  joints = dots(svg, "#1f5fa8");
+  EXPECT_NEAR(tips[0].first - joints[0].first,
+              -scale_of(svg) * (0.3 * std::sin(a) + 0.2 * std::sin(b)), 0.1);
+  EXPECT_NEAR(joints[0].second - tips[0].second,
+              scale_of(svg) * (0.3 * std::cos(a) + 0.2 * std::cos(b)), 0.1);
+  EXPECT_NEAR(tips[2].first, joints[2].first, 0.02);  // from the side it stays on x = 0
 }
 
 TEST(RobotDrawing, StaysInsideItsPanels) {
   const std::string svg = robot_svg(two_links().table);
-  std::size_t index = 0;
+  std::size_t index = 0, header = 0;
+  const double height = number_behind(svg, " height=\"", header);
   for (const auto& [x, y] : dots(svg, "#1f5fa8")) {
-    const bool right = index / 3 % 2 == 1, low = index / 6 == 1;
-    EXPECT_GT(x, right ? 430 : 0);
-    EXPECT_LT(x, right ? 860 : 430);
-    EXPECT_GT(y, low ? 476 : 46);
-    EXPECT_LT(y, low ? 906 : 476);
-    ++index;
+    const bool right = index++ / 2 == 1;
+    EXPECT_GT(x, right ? 620 + kLabelColumn_px : kLabelColumn_px);
+    EXPECT_LT(x, right ? 1240 - kLabelColumn_px : 620 - kLabelColumn_px);
+    EXPECT_GT(y, 66);
+    EXPECT_LT(y, height - 46);
   }
+}
+
+TEST(RobotDrawing, LabelsOfOnePlaceDoNotOverlap) {
+  std::vector<SvgLabel> labels;
+  for (int k = 0; k < 50; ++k)
+    labels.push_back({400, 90.0 + k % 3, fmt::format("joint{}", k), "#000"});
+  SvgPanel panel{0, 20, 600, 0};
+  panel.height = height_for_labels(labels, panel);
+  const std::string svg = labels_svg(labels, panel);
+  double before = panel.top;
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = svg.find("<text ", at)) != std::string::npos; ++count) {
+    EXPECT_NEAR(number_behind(svg, "x=\"", at), 600 - kLabelColumn_px, 0.1);
+    const double y = number_behind(svg, "y=\"", at);
+    EXPECT_GE(y - before, kLabelFontSize_px);
+    before = y;
+  }
+  EXPECT_EQ(count, labels.size());
+  EXPECT_LE(before, panel.top + panel.height);
 }
 
 /// A base, and an arm that can turn its end into the base; a collar that always touches the end.

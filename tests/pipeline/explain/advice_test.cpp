@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/explain/reason_sentence.hpp"
+#include "pipeline/explain/reasons.hpp"
 #include "tests/stages/certify/planar_arm.hpp"
 
 namespace morphe::explain {
@@ -78,13 +78,27 @@ TEST(Advice, AMarginOrDepthPassesAContactUnlessBodiesOverlap) {
                               HasSubstr("forearm and ball overlap by 20.4 mm, 0.20–0.40 s"))));
 }
 
+/// The plans that are tried for a reason: without a path, with a path that keeps every tolerance,
+/// and with one that misses its goals and touches a body.
+std::vector<Plan> plans_of(Reason reason) {
+  Plan nothing, faulty = resting_plan(0.0123, reason);
+  nothing.reason = reason;
+  faulty.scene.objects = {certify::ball({0, 0.7, 0}, 0.1)};
+  faulty.remaining_findings = {
+      {0.2, 0.4, Cause::object_collision, "forearm", "ball", 0.0004, FindingUnit::metre, 0.001}};
+  return {nothing, resting_plan(0, reason), faulty};
+}
+
+bool mentions(const Advice& advice, const char* word) {
+  return text_of(advice).find(word) != std::string::npos;
+}
+
 TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
   for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
     const auto reason = static_cast<Reason>(k);
-    EXPECT_THAT(std::string(reason_sentence(reason)), testing::EndsWith("."));
-    Plan nothing;
-    nothing.reason = reason;
-    for (const Plan& plan : {nothing, resting_plan(0, reason)}) {
+    EXPECT_EQ(explanation_of(reason).reason, reason);
+    EXPECT_THAT(std::string(explanation_of(reason).sentence), testing::EndsWith("."));
+    for (const Plan& plan : plans_of(reason)) {
       const std::vector<Advice> advice = advice_for(arm(), plan);
       EXPECT_FALSE(advice.empty()) << name_of(reason);
       for (const Advice& one : advice) {
@@ -93,6 +107,85 @@ TEST(Advice, EveryReasonHasASentenceAndSomethingToTry) {
       }
     }
   }
+}
+
+/// The key of the config by which only the reasons in the second column may be answered.
+struct OwnKey {
+  const char* key;
+  std::vector<Reason> reasons;
+};
+
+TEST(Advice, AgreesWithTheReason) {
+  const std::vector<Reason> base{Reason::start_in_collision,
+                                 Reason::goal_in_collision,
+                                 Reason::unreachable,
+                                 Reason::no_path,
+                                 Reason::joint_limit,
+                                 Reason::jump,
+                                 Reason::tracking};
+  const std::vector<OwnKey> keys{
+      {"map.base_offset.limit", base},
+      {"morphe place", base},
+      {"repair.attempts", {Reason::start_in_collision, Reason::no_path, Reason::tracking}},
+      {"approach", {Reason::no_approach, Reason::no_retreat}},
+      {"retime.", {Reason::duration_too_short}},
+      {"segment.", {Reason::no_movement}},
+      {"human.", {Reason::implausible_arm}},
+      {"relative_to", {Reason::no_reference_frame}},
+      {"report it", {Reason::invalid_path, Reason::rejected}},
+      {"accept", {Reason::doubtful_recording}}};
+  for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
+    const auto reason = static_cast<Reason>(k);
+    for (const Plan& plan : plans_of(reason)) {
+      for (const Advice& advice : advice_for(arm(), plan)) {
+        for (const OwnKey& own : keys) {
+          if (!mentions(advice, own.key)) continue;
+          EXPECT_THAT(own.reasons, Contains(reason)) << name_of(reason) << ": " << text_of(advice);
+        }
+      }
+    }
+  }
+}
+
+TEST(Advice, NeverNamesTheCommandThatMadeThePlacement) {
+  AdviceContext placed;
+  placed.placed_by_search = true;
+  int named = 0;
+  for (std::size_t k = 1; k < enum_count<Reason>(); ++k) {
+    for (const Plan& plan : plans_of(static_cast<Reason>(k))) {
+      for (const Advice& advice : advice_for(arm(), plan))
+        named += mentions(advice, "morphe place");
+      for (const Advice& advice : advice_for(arm(), plan, placed))
+        EXPECT_FALSE(mentions(advice, "morphe place")) << text_of(advice);
+    }
+  }
+  EXPECT_GT(named, 0) << "without a search it is advised";
+}
+
+TEST(Advice, AsksForMoreThanTheConfigDoes) {
+  const Plan plan = plans_of(Reason::no_path).back();
+  AdviceContext context;
+  EXPECT_THAT(advice_for(arm(), plan, context).front().settings,
+              ElementsAre("map.base_offset.limit=0.1"));
+  context.base_offset_limit_m = 0.1;
+  context.map_starts = 96;
+  context.repair_attempts = 6;
+  std::string text;
+  for (const Advice& advice : advice_for(arm(), plan, context)) text += text_of(advice) + "\n";
+  EXPECT_THAT(text, testing::Not(HasSubstr("base_offset")));
+  EXPECT_THAT(text, HasSubstr("map.starts=384"));
+  EXPECT_THAT(text, HasSubstr("repair.attempts=12"));
+}
+
+TEST(Advice, ReadsItsContextFromAStoredConfig) {
+  EXPECT_TRUE(
+      advice_context("robot: {file: r.yaml}\nplacement: {found_by: place}").placed_by_search);
+  const AdviceContext context =
+      advice_context("robot: {file: r.yaml}\nmap: {starts: 7, base_offset: {limit: 0.05}}");
+  EXPECT_FALSE(context.placed_by_search);
+  EXPECT_EQ(context.map_starts, 7);
+  EXPECT_EQ(context.base_offset_limit_m, 0.05);
+  EXPECT_EQ(advice_context("not: {a: config}").map_starts, AdviceContext{}.map_starts);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "pipeline/place/constants.hpp"
+
 namespace morphe::place {
 namespace {
 
@@ -27,6 +29,7 @@ double lean(MountDirection mount, const Vec3& up) {
 TEST(Stand, ItsPlacementTurnsTheBaseAsItStands) {
   math::RandomStream random(3, "test");
   PlaceOptions options;
+  options.mount = MountDirection::any;
   for (int k = 0; k < 200; ++k) {
     const BasePlacement stand = random_base_placement({}, options, random);
     const BasePlacement back = base_placement_of(placement_of(stand));
@@ -69,11 +72,13 @@ TEST(Stand, WhatIsDrawnAndWhatIsAllowedKeepTheMount) {
 
 TEST(Stand, AnyAxisIsAsLikelyAsAnother) {
   math::RandomStream random(7, "test");
+  PlaceOptions options;
+  options.mount = MountDirection::any;
   Vec3 sum = Vec3::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   constexpr int kMany = 20000;
   for (int k = 0; k < kMany; ++k) {
-    const Vec3 up = random_base_placement({}, {}, random).up();
+    const Vec3 up = random_base_placement({}, options, random).up();
     sum += up / kMany;
     squares += up * up.transpose() / kMany;
   }
@@ -94,6 +99,50 @@ TEST(Stand, WhatIsKeptStays) {
   EXPECT_NE(stand.shoulder_offset.y(), 0.1);
   EXPECT_EQ(stand.shoulder_offset.z(), -0.2);
   EXPECT_EQ(angle_between(stand.world_from_base, configured.world_from_base), 0);
+}
+
+TEST(Stand, ABaseStandsUprightUnlessAnotherMountIsAskedFor) {
+  math::RandomStream random(11, "test");
+  for (int k = 0; k < 50; ++k)
+    EXPECT_NEAR(random_base_placement({}, {}, random).up().z(), 1, 1e-12);
+}
+
+/// Returns the angle between the robot's forward direction, without its height, and the person's.
+double turned_away(const robot::Standing& standing, const BasePlacement& stand) {
+  const Vec3 forward = stand.world_from_base * standing.forward;
+  return std::abs(std::atan2(forward.x(), forward.y()));
+}
+
+TEST(Stand, ARobotWithABodyFacesThePersonsWayAlsoIfItsUpIsAnotherAxis) {
+  PlaceOptions options;
+  math::RandomStream random(13, "test");
+  for (const robot::Standing& standing :
+       {robot::Standing{Vec3::UnitZ(), Vec3::UnitX(), "torso"},
+        robot::Standing{Vec3::UnitY(), -Vec3::UnitX(), "left_leg"}}) {
+    options.standing = standing;
+    double smallest = 1, largest = 0;
+    for (int k = 0; k < 100; ++k) {
+      const BasePlacement drawn = random_base_placement({}, options, random);
+      EXPECT_NEAR(drawn.up(standing.up).z(), 1, 1e-9);
+      EXPECT_LE(turned_away(standing, drawn), kMaxFacingAngle_rad + 1e-9);
+      smallest = std::min(smallest, turned_away(standing, drawn));
+      largest = std::max(largest, turned_away(standing, drawn));
+      BasePlacement any;
+      any.world_from_base = random.rotation();
+      const BasePlacement kept = project_to_constraints(any, {}, options);
+      EXPECT_NEAR(kept.up(standing.up).z(), 1, 1e-9);
+      EXPECT_LE(turned_away(standing, kept), kMaxFacingAngle_rad + 1e-9);
+    }
+    EXPECT_LT(smallest, 0.05) << "straight ahead is drawn";
+    EXPECT_GT(largest, 0.9 * kMaxFacingAngle_rad);
+    options.mount = MountDirection::any;
+    double farthest = 0;
+    for (int k = 0; k < 100; ++k)
+      farthest =
+          std::max(farthest, turned_away(standing, random_base_placement({}, options, random)));
+    EXPECT_GT(farthest, 2) << "any direction is any direction";
+    options.mount = MountDirection::floor;
+  }
 }
 
 TEST(PlaceOptions, SayWhatIsWrong) {

@@ -66,6 +66,7 @@ TEST(Place, ItIsFoundAgainFromBesideIt) {
   beside.world_from_base = Eigen::AngleAxisd(15 * kRadPerDegree, Vec3(1, 2, 3).normalized());
   const Candidate start = at(known, beside), truth = at(known, {});
   PlaceOptions options;
+  options.mount = MountDirection::any;
   options.person_clearance_m = 0;
   const Candidate found = refine(known.planner(), beside, {}, {}, known.trials,
                                  map::robot_shoulder(known.robot), options, 1);
@@ -109,6 +110,34 @@ TEST(Place, ConstraintsHoldInWhatIsFound) {
   EXPECT_THAT(
       [&] { find_placements(known.planner(), known.trials, options, kSilent); },
       ThrowsMessage<InputError>(HasSubstr("no placement of the base satisfies the constraints")));
+}
+
+TEST(Place, AMovementThatFailsBeforeItIsMappedIsInNoMean) {
+  Known known;
+  const PlacementResult alone =
+      plan_with_placement(known.planner(), known.trials, known.config.placement, 1);
+  ASSERT_EQ(alone.plan_summary.executable, 1);
+  ASSERT_GT(alone.plan_summary.measures.palm_error, 0);
+  EXPECT_TRUE(alone.plan_summary.failed_before_mapping.empty());
+  planning::Reconstruction unseen = *known.trials.front().reconstruction;
+  std::ranges::fill(unseen.motion.tip.values, unknown_point());
+  known.trials.push_back(known.trials.front());
+  known.trials.back().reconstruction =
+      std::make_shared<const planning::Reconstruction>(std::move(unseen));
+  const PlannedSummary both =
+      plan_with_placement(known.planner(), known.trials, known.config.placement, 1).plan_summary;
+  EXPECT_EQ(both.movements, 2);
+  EXPECT_EQ(both.executable, 1);
+  ASSERT_EQ(both.failed_before_mapping.size(), 1U);
+  EXPECT_THAT(both.failed_before_mapping[0], HasSubstr("(no_goal: "));
+  EXPECT_EQ(both.measures.palm_error, alone.plan_summary.measures.palm_error);
+  EXPECT_EQ(both.upper_arm_error_max, alone.plan_summary.upper_arm_error_max);
+  EXPECT_EQ(both.measures.collision_share, 0.5) << "one of two has no trajectory";
+  known.trials.erase(known.trials.begin());
+  const PlannedSummary failed =
+      plan_with_placement(known.planner(), known.trials, known.config.placement, 1).plan_summary;
+  EXPECT_GT(cost_of(failed.measures), cost_of(both.measures)) << "as bad as can be, not perfect";
+  EXPECT_EQ(failed.measures.out_of_reach, 1);
 }
 
 TEST(Place, NoBaseStandsInOrBelowTheTable) {

@@ -1,5 +1,6 @@
 #include "pipeline/planning/infeasible_frame.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/robot/files/description.hpp"
@@ -89,6 +90,13 @@ TEST_F(FindDeadEnd, IsAGoalInCollisionInsideABody) {
   EXPECT_EQ(end->reason, Reason::goal_in_collision);
   EXPECT_GT(end->posture_count, 1);
   EXPECT_GT(end->worst_finding.excess, 0);
+  EXPECT_TRUE(is_collision(end->worst_finding.cause)) << "as the reason says";
+  EXPECT_THAT(detail_of(*end), testing::HasSubstr("the best that reaches the goals has "));
+  EXPECT_THAT(detail_of(*end), testing::ContainsRegex("mm too (close to|deep in) ball"));
+  if (end->tip_error_if_clear) {
+    EXPECT_EQ(end->tip_error_if_clear->cause, Cause::tracking);
+    EXPECT_THAT(detail_of(*end), testing::HasSubstr("the best without a collision leaves "));
+  }
   EXPECT_TRUE(holds.empty());
 }
 
@@ -98,6 +106,9 @@ TEST_F(FindDeadEnd, IsUnreachableWhereTheArmDoesNotGo) {
   ASSERT_TRUE(end);
   EXPECT_EQ(end->reason, Reason::unreachable);
   EXPECT_NEAR(end->time_s, 0.2, 1e-9);
+  EXPECT_EQ(end->worst_finding.cause, Cause::tracking) << "as the reason says";
+  EXPECT_THAT(detail_of(*end), testing::HasSubstr("with or without obstacles, leaves "));
+  EXPECT_THAT(detail_of(*end), testing::HasSubstr("mm beyond its tolerance"));
 }
 
 }  // namespace

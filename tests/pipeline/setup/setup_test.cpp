@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <numbers>
 #include <regex>
 
 #include "core/motion/human_motion.hpp"
@@ -247,6 +248,12 @@ TEST(SetUp, AHandIsMountedOnAFlange) {
   // The shipped tip lies on the bone, 25 mm from the last joint; ours 18.6 mm, above it.
   EXPECT_LT((tip - robot::tip_pose(shipped, theirs, 1).translation()).norm(), 0.01);
   EXPECT_EQ(both.table.joint_centres.size(), 7u);  // elbow, wrist, five fingers
+  // In the wrist, and turned back through it.
+  request.mount = HandMount{{0, 0, -0.15}, {0, 0, 0}};
+  const auto mount = [&] { (void)mount_hand(request, std::nullopt); };
+  EXPECT_THAT(mount, testing::ThrowsMessage<InputError>(HasSubstr("move it outwards: --mount")));
+  request.mount = HandMount{{0, 0, 0}, {0, std::numbers::pi, 0}};
+  EXPECT_THAT(mount, testing::ThrowsMessage<InputError>(HasSubstr("point back along the arm")));
   // Without a mount the fingers point along the flange's axis.
   request.mount.reset();
   const SetupResult assumed = mount_hand(request, std::nullopt);
@@ -279,7 +286,8 @@ TEST(SetUp, SaysWhatIsWrong) {
                "<mesh filename=\"package://x/y.stl\"/>");
   request.urdf = robot::write_text("mesh.urdf", text);
   EXPECT_THAT(make_description(request, std::nullopt).notes,
-              Contains(HasSubstr("mesh 'package://x/y.stl' not found")));
+              Contains(HasSubstr("a mesh was not found, so the link has no shape: "
+                                 "'package://x/y.stl'")));
 }
 
 TEST(KeepChanges, SectionsThatNobodyTouchedAreMadeAnew) {

@@ -1,4 +1,4 @@
-#include "stages/import/recording/file_kind.hpp"
+#include "core/files/file_kind.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,7 +18,7 @@ TEST_F(FileKinds, AreSaidWithTheWayToTheRecording) {
       {" \r\n\n", "is empty but for blanks; "},
       {std::string(100, '\0'), "is filled with zeros; "},
       {"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1234567\n",
-       "is a Git LFS pointer, not the recording itself; fetch it: git lfs pull"},
+       "is a Git LFS pointer, not the file itself; fetch it: git lfs pull"},
       {"/annex/objects/MD5E-s12--0.c3d\n", "fetch it: git annex get"},
       {"PK\3\4\x14\0\6\0\0\0\0\0"s + "[Content_Types].xml ... xl/workbook.xml",
        "an Excel workbook"},
@@ -40,7 +40,7 @@ TEST_F(FileKinds, AreSaidWithTheWayToTheRecording) {
 
 TEST_F(FileKinds, OfRecordingsAndUnknownFilesAreNone) {
   for (const char* text : {"a,b\n1,2\n", "HIERARCHY\nROOT h", "Trajectories\n100\n", "hello"})
-    EXPECT_FALSE(foreign_file_kind(text)) << text;
+    EXPECT_FALSE(files::file_kind(text)) << text;
   EXPECT_THAT(error_of(write("hello", "trial.txt")), HasSubstr("format: not recognised"));
 }
 

@@ -146,5 +146,15 @@ TEST(MovementSearch, ACourseThroughAPosturePassesNearIt) {
   EXPECT_GE(of.of_course(through.q), of.of_course(best) - 1e-9);
 }
 
+TEST(MovementSearch, APostureBehindTheLastFrameIsThatOfTheLastFrame) {
+  std::mt19937_64 random(4);
+  const TwoSides of(random, 1);
+  const std::size_t last = of.problem.time.size() - 1;
+  const JointVector posture = JointVector::Constant(2, 0.3);
+  const CandidatePath at_last = path_through(of.problem, last, posture, of.options);
+  for (const std::size_t beyond : {last + 1, last + 1000})
+    EXPECT_EQ(path_through(of.problem, beyond, posture, of.options).q, at_last.q);
+}
+
 }  // namespace
 }  // namespace morphe::map

@@ -98,6 +98,16 @@ TEST(Completeness, AMovementAfterACutOneNeedsARestBefore) {
   EXPECT_TRUE(complete.flags().empty());
 }
 
+TEST(Completeness, ALaterMotionThatIsQuickerDoesNotHideACut) {
+  RecordedReach of(1.13, 6);
+  for (std::size_t f = 0; f < of.motion.time.size(); ++f) {
+    const double u = std::clamp((of.motion.time[f] - 3) / 0.5, 0.0, 1.0);
+    of.motion.wrist[f] += Vec3(0, 0, 1.0 * u * u * u * (10 - 15 * u + 6 * u * u));
+  }
+  of.movement.end_s = 3.5;
+  EXPECT_EQ(of.flags().size(), 1u) << "0.2 m/s at the cut, of 0.75 m/s then and 3.75 m/s later";
+}
+
 TEST(Completeness, AWholeRecordingIsTakenAsItIs) {
   RecordedReach of(1.3, 1.6);
   of.movement.phases.clear();

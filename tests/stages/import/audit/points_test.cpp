@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "stages/import/audit/audit.hpp"
 #include "stages/import/audit/checks.hpp"
@@ -19,8 +21,11 @@ constexpr std::size_t kInReach = 145;  ///< a row at the fastest moment of the r
 
 /// Runs the checks of this test one after the other, as the audit does, and returns their flags.
 std::vector<RecordingFlag> audited(Demonstration& recording, const AuditInput& input = {}) {
-  for (const auto check : {check_rows, check_jumps, check_time_base, check_jitter}) {
-    for (Doubt& doubt : check(recording, input)) {
+  const std::set<std::string> names = {"rows", "jumps", "time_base", "jitter"};
+  for (const AuditCheck& check : audit_checks()) {
+    if (!names.contains(check.name)) continue;
+    StepTables steps;
+    for (Doubt& doubt : check.find(recording, input, steps)) {
       doubt.flag.response = doubt.mend ? FlagResponse::mended : FlagResponse::flagged;
       if (doubt.mend) doubt.mend(recording);
       recording.flags.push_back(doubt.flag);
@@ -154,6 +159,18 @@ TEST(AuditPoints, FrozenRowsAreHiddenInAllPoints) {
   EXPECT_EQ(flag.code, FlagCode::frozen_rows);
   EXPECT_EQ(flag.subject, "");
   EXPECT_EQ(hidden_samples(before, markers.position), 14 * points);
+}
+
+TEST(AuditPoints, JumpsAreLookedForInWhatTheCheckOfRowsLeft) {
+  Demonstration recording = recorded_reach();
+  MarkerStream& markers = *recording.streams.markers;
+  for (std::size_t i = kInReach + 1; i < kInReach + 15; ++i) {
+    for (std::size_t k = 0; k < markers.names.size(); ++k)
+      markers.position(i, k) = markers.position(kInReach, k);
+  }
+  EXPECT_FALSE(audit_recording({}, recording));
+  ASSERT_EQ(recording.flags.size(), 1U) << "the jump out of the frozen rows is no other doubt";
+  EXPECT_EQ(recording.flags[0].code, FlagCode::frozen_rows);
 }
 
 TEST(AuditPoints, StandingStillExactlyIsNotFrozen) {

@@ -54,5 +54,22 @@ TEST(AuditStatic, AMarkerThatWasMovedChangesTheCluster) {
   EXPECT_EQ(doubts[0].flag.subject, "RUAR");
 }
 
+TEST(AuditStatic, AClusterThatOnlyTheStaticTrialShowsIsNamed) {
+  for (const std::string cluster : {"RSHO", "LSHO", "RUAR", "RLAR", "RHAN"}) {
+    Demonstration trial = table_trials()[0];
+    MarkerStream& markers = *trial.streams.markers;
+    for (std::size_t k = 0; k < markers.names.size(); ++k) {
+      if (!markers.names[k].starts_with(cluster)) continue;
+      for (std::size_t i = 0; i < markers.position.rows; ++i)
+        markers.position(i, k) = unknown_point();
+    }
+    const std::vector<Doubt> doubts = check_static_trial(trial, {});
+    ASSERT_THAT(doubts, testing::SizeIs(1)) << cluster;
+    EXPECT_EQ(doubts[0].flag.code, FlagCode::static_trial);
+    EXPECT_THAT(doubts[0].flag.text,
+                testing::StartsWith(cluster + "1 is in the static trial, not in the recording"));
+  }
+}
+
 }  // namespace
 }  // namespace morphe::imports
