@@ -9,7 +9,7 @@
 
 namespace morphe::cover {
 
-/// How far capsules may stand off the body.
+/// The limits of the distance by which capsules stand off the body.
 struct StandoffLimits {
   double aim_m = 0;                     ///< standoff with which the fewest capsules are taken
   std::vector<std::uint8_t> forbidden;  ///< [voxels] 1 where no capsule may be; empty: nowhere

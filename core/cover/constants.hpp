@@ -7,7 +7,7 @@ namespace morphe::cover {
 // --- cover_primitives.cpp
 inline constexpr int kEndSteps = 8;          ///< lengths of the segments that are tried
 inline constexpr int kMaxPerPrimitive = 64;  ///< capsules
-/// Of the mean square standoff of a hemisphere's end from a flat one to its largest.
+/// Ratio of the mean square standoff of a hemisphere from a flat end to its largest.
 inline constexpr double kEndWeight = 0.5;
 inline constexpr double kRoundedNumber_m = 2e-6;  ///< descriptions have micrometres
 
@@ -46,9 +46,10 @@ inline constexpr int kDeepDraws = 3;     ///< of so many interior points the dee
 inline constexpr int kSpherePeriod = 4;  ///< one candidate of so many is a sphere
 /// Bisections of the growth: down to a 256th of the body's extent.
 inline constexpr int kGrowthBisectionCount = 8;
-/// Of so many best candidates, and as many times a ball about an uncovered point, the ends are
-/// moved: so often, by a normal deviate of this standard deviation at first, in voxels, and
-/// multiplied by a factor from move to move. More balls are tried if none adds a point.
+/// Number of the best candidates, and of balls about uncovered points, whose ends are moved by
+/// normal deviates. Their standard deviation begins at kClimbFirstMove_cells voxels, and each of
+/// the kClimbMoves moves multiplies it by kClimbMoveFactor. More balls are tried if none adds a
+/// point.
 inline constexpr int kClimbedCandidates = 2, kUncoveredSeeds = 6, kMaxUncoveredSeeds = 100;
 inline constexpr int kBallsPerPoint = 40, kClimbMoves = 40, kClimbBisectionCount = 4;
 inline constexpr double kClimbFirstMove_cells = 8, kClimbMoveFactor = 0.96;

@@ -24,11 +24,11 @@ struct CapsuleFit {
   FitQuality quality;
 };
 
-/// How closely to fit.
+/// The requested closeness of a fit.
 struct FitOptions {
   int budget = 1;  ///< largest number of capsules
-  double aim_m =
-      0;  ///< standoff with which the fewest capsules are taken; a closer fit is not sought
+  /// Standoff with which the fewest capsules are taken; a closer fit is not sought.
+  double aim_m = 0;
   std::vector<Triangle> nearby = {};  ///< surfaces that the capsules should stay clear of
   double gap_m = 0;                   ///< between the body and these surfaces
   double clearance_m = 0;             ///< from capsules that stay clear of this body likewise

@@ -6,8 +6,8 @@
 
 namespace morphe::robot {
 
-/// How a robot stands by itself, as its description tells. The names of the frames tell whether it
-/// has a body (legs, a trunk or wheels) below its arm.
+/// The way a robot stands by itself, as its description tells. The names of the frames tell whether
+/// it has a body (legs, a trunk or wheels) below its arm.
 struct Standing {
   /// The direction that is up, in the base frame: z by the convention of URDFs, or for a robot with
   /// legs the axis that points from them to the shoulder.

@@ -15,7 +15,7 @@ struct PlannedSummary {
   ///   collision_share  share of all movements without a trajectory
   ///   upper_arm_error  that of the trajectory, if there is one
   ///   speed_ratio      the trajectory's duration ratio, if there is one
-  /// If no movement was mapped, they are those of movements that miss every goal by the most.
+  /// Those of movements that miss every goal by the most, if no movement was mapped.
   PlacementMeasures measures;
   int movements = 0, executable = 0;
   /// A sentence for each movement that fails before it is mapped, which no placement changes:
