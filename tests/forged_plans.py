@@ -507,6 +507,11 @@ def mapped_elsewhere(f):
     f.add("mapped/position", 1e-4)
 
 @lie("grasp, mapped and path")
+def another_branch(f):
+    need("branch" in f.plan.attrs)
+    f.plan.attrs["branch"] = f.plan.attrs["branch"] ^ (1 << int(f.rng.integers(3)))
+
+@lie("grasp, mapped and path")
 def a_mapped_error_less(f):
     f.add("mapped/tip_error", 1e-5)
 
@@ -544,8 +549,9 @@ def a_path_that_ends_early(f):
 
 CERTIFICATE = [name for name in verify_plans.EXTREMES] + [
     "joint_limit_margin", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp",
-    "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "duration_ratio", "humanlikeness_mapped",
-    "humanlikeness_final", "sparc_robot", "sparc_human", "log_dimensionless_jerk_robot"]
+    "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "forearm_error_mean",
+    "forearm_error_max", "swivel_error_mean", "swivel_error_max", "palm_error_mean", "palm_error_max",
+    "wrist_speed_correlation", "duration_ratio", "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human", "log_dimensionless_jerk_robot"]
 for _name in CERTIFICATE:
     def _forge(f, name=_name):
         value = f.plan["certificate"].attrs[name]

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Recomputes from a plans.h5 (docs/formats.md) what it promises, apart from `morphe verify`:
 limits in 33 points of each quintic, contacts and tips at the samples and 3 points between, and
-what else a plan says of itself (verify_promises.py, verify_grasps.py). Exit 0: all holds, 1: violations, 2: unreadable."""
+what else a plan says of itself (verify_promises.py, verify_branches.py, verify_grasps.py). Exit 0: all holds, 1: violations, 2: unreadable."""
 import argparse
 import functools
 import itertools
@@ -12,6 +12,7 @@ import numpy as np
 
 from verify_geometry import (Mesh, Robot, asked_points, columns, goals_at, in_base, segment_distance,
                              segment_solid_distance, signed_distance, text)
+from verify_branches import check_branch
 from verify_grasps import check_grasp
 from verify_promises import check_promises, check_transfer
 
@@ -123,6 +124,7 @@ def check_tracking(robot, plan, motion, phases, report):
     found["tip_error_grasp"] = largest_and_mean(errors[:, grasping[sampled]] if len(errors) else errors)[0]
     found["tip_orientation_error_max"] = largest_and_mean(turned)[0]
     found.update(arm_figures(robot, goals, time[sampled], here))
+    found.update(posture_figures(robot, goals, time[sampled], here))
     return found
 
 def largest_and_mean(values):
@@ -160,6 +162,83 @@ def arm_figures(robot, goals, time, poses):
     apart = np.linalg.norm(unit(elbow - shoulder) - unit(own[0] - poses[:, robot.shoulder, :3, 3]), axis=1)
     return dict(zip(names, largest_and_mean(2 * np.arcsin(apart / 2)) + largest_and_mean(sums)[1:]))
 
+def arms_of(robot, poses):
+    """The robot's shoulder, elbow and wrist, [N, 3] each, NaN: the arm does not have it."""
+    centres = [poses[:, frame, :3, 3] for frame, chain in zip(robot.centres, robot.chains) if chain == "arm"]
+    none = np.full((len(poses), 3), np.nan)
+    if not centres:
+        return none, none, none
+    chain = [poses[:, robot.shoulder, :3, 3], *centres]
+    chain += [in_base(poses, frame, transform[:3, 3]) for frame, transform, finger in
+              zip(robot.tips["frame"], robot.tips["transform"], robot.fingers) if finger < 0]
+    chain += [poses[:, robot.palm, :3, 3]] if len(chain) == 2 else []
+    return chain[0], chain[1] if len(chain) == 3 else none, chain[-1]
+
+def angle_between(a, b):
+    return np.arctan2(np.linalg.norm(np.cross(a, b), axis=1), (a * b).sum(axis=1))
+
+def swivels(human, own):
+    """The angle by which the elbows are turned about the lines from shoulder to wrist, after the
+    shortest rotation that lays one line on the other; NaN if an elbow is too near to its line."""
+    unit = lambda x: x / np.linalg.norm(x, axis=1)[:, None]
+    along = lambda x, line: (x * line).sum(axis=1)[:, None]
+    lines, offsets, bent = [], [], []
+    for shoulder, elbow, wrist in (human, own):
+        lines.append(line := unit(wrist - shoulder))
+        offsets.append((elbow - shoulder) - along(elbow - shoulder, line) * line)
+        length = np.linalg.norm(elbow - shoulder, axis=1) + np.linalg.norm(wrist - elbow, axis=1)
+        bent.append(np.linalg.norm(offsets[-1], axis=1) >= 0.1 * length)
+    # Two reflections make the shortest rotation: across the bisector's plane and the target's.
+    middle = unit(lines[0] + lines[1])
+    mirrored = offsets[0] - 2 * along(offsets[0], middle) * middle
+    turned = mirrored - 2 * along(mirrored, lines[1]) * lines[1]
+    good = bent[0] & bent[1] & (along(*lines)[:, 0] > 0)
+    return np.where(good, angle_between(turned, offsets[1]), np.nan)
+
+def posture_figures(robot, goals, time, poses):
+    """Errors of the forearm's direction, the swivel angle and the palm's rotation."""
+    names = ("forearm_error", "swivel_error", "palm_error")
+    if not len(goals["time"]):
+        return {name + end: np.nan for name in names for end in ("_max", "_mean")}
+    at = lambda key: np.stack([np.interp(time, goals["time"][()], goals[key][:, i]) for i in range(3)], axis=1)
+    human, own = [at(key + "_position") for key in ("shoulder", "elbow", "wrist")], arms_of(robot, poses)
+    hand = rotations_at(goals["time"][()], goals["wrist_orientation"][()], time)
+    turn = np.einsum("nji,njk->nik", poses[:, robot.palm, :3, :3], hand)
+    sine = np.linalg.norm([turn[:, 2, 1] - turn[:, 1, 2], turn[:, 0, 2] - turn[:, 2, 0],
+                           turn[:, 1, 0] - turn[:, 0, 1]], axis=0) / 2
+    rows = (angle_between(human[2] - human[1], own[2] - own[1]), swivels(human, own),
+            np.arctan2(sine, (np.trace(turn, axis1=1, axis2=2) - 1) / 2))
+    return {name + end: value for name, row in zip(names, rows)
+            for end, value in zip(("_max", "_mean"), largest_and_mean(row))}
+
+def wrist_correlation(robot, goals, motion):
+    """Pearson's correlation of the wrists' speeds at the goals' frames, by central differences."""
+    clock, wrist = goals["time"][()], goals["wrist_position"][()]
+    if len(wrist) != len(clock) or len(motion["time"]) < 2:
+        return np.nan
+    reached, first = np.unique(motion["demonstration_time"], return_index=True)
+    last = np.append(first[1:] - 1, len(motion["time"]) - 1)  # of those with the same demonstration time
+    k = np.clip(np.searchsorted(reached, clock), 0, len(reached) - 1)
+    b = np.maximum(k - 1, 0)
+    share = (clock - reached[b]) / np.where(k == b, 1, reached[k] - reached[b])
+    begin = motion["time"][last[b]]
+    at = np.where(k == b, motion["time"][0], begin + share * (motion["time"][first[k]] - begin))
+    at = np.where(clock > reached[-1], motion["time"][-1], at)
+    own = arms_of(robot, robot.frame_poses(positions_at(motion, at)))[2]
+    speed = lambda x, t: np.linalg.norm(x[2:] - x[:-2], axis=1) / (t[2:] - t[:-2])
+    human, robots = speed(wrist, clock), speed(own, at)
+    good = np.isfinite(human) & np.isfinite(robots)
+    if good.sum() < 2 or not min(human[good].max(), robots[good].max()) > 1e-3:
+        return np.nan
+    return np.corrcoef(human[good], robots[good])[0, 1]
+
+def positions_at(motion, at):
+    """The joints [N, n] on the quintics at times."""
+    piece = np.clip(np.searchsorted(motion["time"], at, side="right") - 1, 0, len(motion["time"]) - 2)
+    c, h = quintics(motion)
+    share = (at - motion["time"][piece]) / h[piece, 0]
+    return motion["position"][piece] + sum(c[k][piece] * share[:, None]**k for k in range(6))
+
 def smoothness(speed, step):
     """SPARC (up to 10 Hz, threshold 0.05, padded 16 times) and log dimensionless jerk."""
     if len(speed) < 3 or not speed.max() > 0:
@@ -180,11 +259,7 @@ def smoothness_of(robot, goals, motion):
         return dict.fromkeys(SMOOTHNESS, np.nan)
     step = (time[-1] - time[0]) / (len(time) - 1)
     at = np.arange(int(motion["time"][-1] / step * (1 + 1e-12) + 1e-9) + 1) * step
-    piece = np.clip(np.searchsorted(motion["time"], at, side="right") - 1, 0, len(motion["time"]) - 2)
-    c, h = quintics(motion)
-    share = (at - motion["time"][piece]) / h[piece, 0]
-    q = motion["position"][piece] + sum(c[k][piece] * share[:, None]**k for k in range(6))
-    poses = robot.frame_poses(q)
+    poses = robot.frame_poses(positions_at(motion, at))
     robots = np.stack([in_base(poses, robot.tips["frame"][m], robot.tips["transform"][m, :3, 3])
                        for m in always], axis=1)
     speed = lambda x: np.linalg.norm(x[2:] - x[:-2], axis=2).mean(axis=1) / (2 * step)
@@ -308,7 +383,8 @@ def read_motion(robot, group, report):
     return None if report.rows else motion
 
 def check_certificate(plan, found, report):
-    stored = plan["certificate"].attrs
+    attributes = plan["certificate"].attrs
+    stored = {name: attributes.get(name, np.nan) for name in found}  # earlier versions lack some
     for name, value in found.items():
         # The extremes are looked for at points, the others recomputed.
         tolerance = 1e-3 * abs(value) + 1e-9 if name in EXTREMES else 1e-8 * max(1, abs(value))
@@ -387,6 +463,7 @@ def check_plan(robot, path, plan):
     found = check_limits(robot, motion, report)
     found.update(check_tracking(robot, plan, motion, phases, report))
     found.update(smoothness_of(robot, plan["goals"], motion))
+    found["wrist_speed_correlation"] = wrist_correlation(robot, plan["goals"], motion)
     check_status(plan, status, found["tip_error_max"], phases, report)
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
@@ -399,6 +476,7 @@ def check_plan(robot, path, plan):
     check_certificate(plan, found, report)
     poses = robot.frame_poses(motion["position"])
     check_promises(robot, plan, motion, phases, report)
+    check_branch(robot, plan, motion, report)
     check_grasp(robot, plan, motion, phases, poses, report)
     for name, end, meets in (("approach", -1, motion["position"][0]), ("retreat", 0, motion["position"][-1])):
         transfer = Report(path + "/" + name)

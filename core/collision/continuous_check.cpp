@@ -20,6 +20,10 @@ struct Bisection {
   void bisect(int depth, double s0, double s1) {
     const double middle = 0.5 * (s0 + s1);
     pairs.set_interval(s0, middle, s1);
+    const auto is_free = [&](double slack_m, double travel_m) {
+      return slack_m > least_slack.pair.slack() && slack_m >= travel_m;
+    };
+    if (depth == 0) pairs.list_pairs(is_free);
     std::vector<BodyPair>& undecided = pairs.scratch.undecided_pairs[depth + 1];
     undecided.clear();
     for (const BodyPair& bodies : pairs.scratch.undecided_pairs[depth]) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "core/collision/mesh_solid.hpp"
 #include "core/collision/world.hpp"
@@ -18,20 +19,19 @@ int moving_frame(const robot::Robot& robot, int capsule) {
   return frame < 0 ? -1 : robot.moving_frame[frame];
 }
 
-std::vector<std::array<int, 2>> pairs_to_check(const robot::Robot& robot) {
-  const auto allowed = [&robot](int i, int j) {
-    return std::ranges::any_of(robot.allowed_collision_pairs, [&](const auto& pair) {
-      return (pair[0] == i && pair[1] == j) || (pair[0] == j && pair[1] == i);
-    });
-  };
+CapsulePairs pairs_to_check(const robot::Robot& robot) {
+  const std::size_t count = robot.capsules.size();
+  std::vector<char> allowed(count * count, 0);
+  for (const auto& [i, j] : robot.allowed_collision_pairs)
+    allowed[i * count + j] = allowed[j * count + i] = 1;
   std::vector<std::array<int, 2>> pairs;
   for (int i = 0; i < std::ssize(robot.capsules); ++i) {
     for (int j = i + 1; j < std::ssize(robot.capsules); ++j) {
       const bool rigid = moving_frame(robot, i) == moving_frame(robot, j);
-      if (!rigid && !allowed(i, j)) pairs.push_back({i, j});
+      if (!rigid && !allowed[i * count + j]) pairs.push_back({i, j});
     }
   }
-  return pairs;
+  return {robot, std::move(pairs)};
 }
 
 void set_contact_time(const Movement& movement, CollisionWorld& world) {

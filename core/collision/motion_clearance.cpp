@@ -18,6 +18,12 @@ struct ClearanceSearch {
   void search(int depth, double s0, double s1) {
     const double middle = 0.5 * (s0 + s1);
     pairs.set_interval(s0, middle, s1);
+    const double margin_m = pairs.world.tolerances.required_clearance;
+    if (depth == 0) {
+      pairs.list_pairs([&](double slack_m, double travel_m) {
+        return slack_m + margin_m - travel_m >= closest.separation.distance;
+      });
+    }
     std::vector<BodyPair>& undecided = pairs.scratch.undecided_pairs[depth + 1];
     undecided.clear();
     const auto is_excluded = [&](double bound_m) {

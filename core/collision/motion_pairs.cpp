@@ -6,6 +6,17 @@
 #include "core/collision/constants.hpp"
 
 namespace morphe::collision {
+namespace {
+
+/// Returns a lower bound of the distance of a point from an object [m].
+double distance_bound(const CollisionWorld& world, const CollisionScratch& scratch,
+                      const Vec3& point, int object) {
+  const Pose& pose = scratch.object_poses[object];
+  const Vec3 in_object = pose.linear().transpose() * (point - pose.translation());
+  return signed_distance_lower_bound(solid_at(world, object), in_object);
+}
+
+}  // namespace
 
 PairSeparation MotionPairs::unmeasured(const BodyPair& bodies) const {
   return {bodies,
@@ -74,9 +85,51 @@ double MotionPairs::slack_lower_bound(const PairSeparation& pair) const {
     const CollisionScratch::BoundingSphere& b = scratch.bounding_spheres[pair.other];
     return (a.centre - b.centre).norm() - b.radius - padding_m;
   }
-  const Pose& pose = scratch.object_poses[pair.other];
-  const Vec3 in_object = pose.linear().transpose() * (a.centre - pose.translation());
-  return signed_distance_lower_bound(solid_at(world, pair.other), in_object) - padding_m;
+  return distance_bound(world, scratch, a.centre, pair.other) - padding_m;
+}
+
+void MotionPairs::find_near_clusters(const Excludes& excludes) {
+  const double margin_m = world.tolerances.required_clearance;
+  const std::vector<CapsuleCluster>& clusters = world.pairs.clusters();
+  for (int c = 0; c < std::ssize(clusters); ++c) {
+    CollisionScratch::Cluster& near = scratch.clusters[c];
+    const double padding_m = near.sphere.radius + margin_m;
+    const double* levers = cluster_levers.row(c).data();
+    near.near_partners.clear();
+    for (const int d : clusters[c].partners) {
+      const CollisionScratch::BoundingSphere& other = scratch.clusters[d].sphere;
+      const double slack_m = (near.sphere.centre - other.centre).norm() - other.radius - padding_m;
+      if (!excludes(slack_m, relative_travel(clusters[c].frame, levers, clusters[d].frame,
+                                             cluster_levers.row(d).data())))
+        near.near_partners.push_back(d);
+    }
+    near.near_objects.clear();
+    const double travel_m = cluster_levers.row(c).dot(scratch.travel);
+    for (int k = 0; k < std::ssize(world.scene->objects); ++k) {
+      const double slack_m = distance_bound(world, scratch, near.sphere.centre, k) - padding_m;
+      const bool attached = k == world.target && target_state == TargetState::attached;
+      if (attached || !excludes(slack_m, travel_m + scratch.object_travel[k]))
+        near.near_objects.push_back(k);
+    }
+  }
+}
+
+void MotionPairs::list_pairs(const Excludes& excludes) {
+  find_near_clusters(excludes);
+  std::vector<BodyPair>& pairs = scratch.undecided_pairs[0];
+  pairs.clear();
+  const int capsules = static_cast<int>(world.robot->capsules.size());
+  for (int i = 0; i < capsules; ++i) {
+    scratch.near_capsules.clear();
+    for (const int d : scratch.clusters[world.pairs.cluster_of(i)].near_partners)
+      for (const int j : world.pairs.clusters()[d].capsules)
+        if (world.pairs.contains(i, j)) scratch.near_capsules.push_back(j);
+    std::ranges::sort(scratch.near_capsules);
+    for (const int j : scratch.near_capsules) pairs.push_back({i, j, false});
+  }
+  for (int i = 0; i < capsules; ++i)
+    for (const int k : scratch.clusters[world.pairs.cluster_of(i)].near_objects)
+      pairs.push_back({i, k, true});
 }
 
 /// Returns the parameter at which the demonstration time reaches `time_s`, by bisection.
@@ -96,11 +149,10 @@ bool MotionPairs::may_touch(const BodyPair& pair) const {
 
 void MotionPairs::for_each_part(const std::function<bool(double, double)>& part) {
   scratch.undecided_pairs.resize(kMaxBisectionDepth + 1);
-  std::vector<BodyPair>& pairs = scratch.undecided_pairs[0];
-  pairs.clear();
-  for (const auto& [i, j] : world.pairs) pairs.push_back({i, j, false});
+  cluster_levers = JointRows::Zero(world.pairs.clusters().size(), world.robot->joints());
   for (int i = 0; i < std::ssize(world.robot->capsules); ++i) {
-    for (int k = 0; k < std::ssize(world.scene->objects); ++k) pairs.push_back({i, k, true});
+    auto levers = cluster_levers.row(world.pairs.cluster_of(i));
+    levers = levers.cwiseMax(world.robot->capsule_motion_bounds.row(i));
   }
   scratch.body_travel.resize(world.robot->capsules.size());
   scratch.object_travel.resize(world.scene->objects.size());

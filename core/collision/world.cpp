@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
-#include "core/collision/constants.hpp"
 #include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::collision {
@@ -32,6 +30,17 @@ bool are_separated(const CapsuleBody& a, const CapsuleBody& b, double distance_m
              : twice_required_m <= 0;
 }
 
+/// Returns true if a sphere is at least this far from the box of a cluster.
+bool are_separated(const CollisionWorld& world, const CollisionScratch& scratch, int cluster,
+                   const CollisionScratch::BoundingSphere& sphere, double distance_m) {
+  const CapsuleCluster& box = world.pairs.clusters()[cluster];
+  Vec3 point = sphere.centre - scratch.clusters[cluster].sphere.centre;
+  if (box.frame >= 0) point = scratch.base_from_frame[box.frame].linear().transpose() * point;
+  const double required_m = sphere.radius + distance_m;
+  return required_m > 0 &&
+         (point.cwiseAbs() - box.half_size).cwiseMax(0).squaredNorm() >= required_m * required_m;
+}
+
 /// Returns a lower bound of the slack between an object and the bodies in a sphere [m].
 double sphere_slack_bound(const CollisionWorld& world, const CollisionScratch& scratch,
                           const CollisionScratch::BoundingSphere& sphere, int object,
@@ -42,44 +51,70 @@ double sphere_slack_bound(const CollisionWorld& world, const CollisionScratch& s
          required_m;
 }
 
+/// Finds the partners and the objects of each cluster whose slack can be below `limit`. No pair
+/// requires more than the margin.
+void find_near_clusters(const CollisionWorld& world, double limit, CollisionScratch& scratch) {
+  const double margin_m = world.tolerances.required_clearance;
+  for (int c = 0; c < std::ssize(scratch.clusters); ++c) {
+    CollisionScratch::Cluster& cluster = scratch.clusters[c];
+    cluster.near_partners.clear();
+    for (const int d : world.pairs.clusters()[c].partners)
+      if (!are_separated(cluster.sphere, scratch.clusters[d].sphere, limit + margin_m) &&
+          !are_separated(world, scratch, c, scratch.clusters[d].sphere, limit + margin_m) &&
+          !are_separated(world, scratch, d, cluster.sphere, limit + margin_m))
+        cluster.near_partners.push_back(d);
+    cluster.near_objects.clear();
+    for (int k = 0; k < std::ssize(world.scene->objects); ++k)
+      if (sphere_slack_bound(world, scratch, cluster.sphere, k, margin_m) < limit)
+        cluster.near_objects.push_back(k);
+  }
+}
+
+bool are_separated(const CollisionScratch& scratch, int i, int j, double distance_m) {
+  return are_separated(scratch.bounding_spheres[i], scratch.bounding_spheres[j], distance_m) ||
+         are_separated(scratch.bodies[i], scratch.bodies[j], distance_m);
+}
+
+/// Finds the capsules after a capsule that are checked against it and can be nearer to it than
+/// `distance_m`.
+void find_near_capsules(const CollisionWorld& world, int capsule, double distance_m,
+                        CollisionScratch& scratch) {
+  scratch.near_capsules.clear();
+  const CollisionScratch::BoundingSphere& sphere = scratch.bounding_spheres[capsule];
+  for (const int d : scratch.clusters[world.pairs.cluster_of(capsule)].near_partners) {
+    if (are_separated(world, scratch, d, sphere, distance_m)) continue;
+    for (const int other : world.pairs.clusters()[d].capsules)
+      if (world.pairs.contains(capsule, other) &&
+          !are_separated(scratch, capsule, other, distance_m))
+        scratch.near_capsules.push_back(other);
+  }
+  std::ranges::sort(scratch.near_capsules);
+}
+
 /// Measures the pairs whose slack can be below `limit` and calls `visit` for each in a fixed order;
 /// without `with_touching`, only for pairs that may not touch. `visit` may lower the limit, and
 /// returns false to stop.
 template <class Visit>
 void visit_near(const CollisionWorld& world, double time_s, CollisionScratch& scratch,
                 const double& limit, bool with_touching, Visit visit) {
-  const auto& spheres = scratch.bounding_spheres;
   const double margin_m = world.tolerances.required_clearance;
-  int tested_capsule = -1, tested_group = -1;  // the last capsule, and the group tested for it
-  bool group_is_near = false;
-  for (const auto& [i, j] : world.pairs) {
-    if (i != tested_capsule || j / kCapsuleGroup != tested_group) {
-      tested_capsule = i;
-      tested_group = j / kCapsuleGroup;
-      group_is_near = !are_separated(spheres[i], scratch.groups[tested_group], limit + margin_m);
+  find_near_clusters(world, limit, scratch);
+  for (int i = 0; i < std::ssize(scratch.bodies); ++i) {
+    const double distance_m = limit + margin_m;
+    find_near_capsules(world, i, distance_m, scratch);
+    for (const int j : scratch.near_capsules) {
+      if (limit + margin_m < distance_m && are_separated(scratch, i, j, limit + margin_m)) continue;
+      PairSeparation pair{{i, j, false}, {}, margin_m};
+      measure(world, scratch, pair);
+      if (!visit(pair)) return;
     }
-    if (!group_is_near || are_separated(spheres[i], spheres[j], limit + margin_m) ||
-        are_separated(scratch.bodies[i], scratch.bodies[j], limit + margin_m)) {
-      continue;
-    }
-    PairSeparation pair{{i, j, false}, {}, margin_m};
-    measure(world, scratch, pair);
-    if (!visit(pair)) return;
   }
   for (int i = 0; i < std::ssize(scratch.bodies); ++i) {
-    if (i % kCapsuleGroup == 0) {
-      // No pair requires more than the margin.
-      const CollisionScratch::BoundingSphere& group = scratch.groups[i / kCapsuleGroup];
-      scratch.near_group.clear();
-      for (int k = 0; k < std::ssize(world.scene->objects); ++k) {
-        if (sphere_slack_bound(world, scratch, group, k, margin_m) < limit)
-          scratch.near_group.push_back(k);
-      }
-    }
-    for (const int k : scratch.near_group) {
+    for (const int k : scratch.clusters[world.pairs.cluster_of(i)].near_objects) {
       if (!with_touching && may_touch(world, i, k, time_s)) continue;
       PairSeparation pair{{i, k, true}, {}, required_distance_m(world, i, k, time_s)};
-      if (sphere_slack_bound(world, scratch, spheres[i], k, pair.required_distance_m) >= limit)
+      if (sphere_slack_bound(world, scratch, scratch.bounding_spheres[i], k,
+                             pair.required_distance_m) >= limit)
         continue;
       measure(world, scratch, pair);
       if (!visit(pair)) return;
@@ -87,22 +122,15 @@ void visit_near(const CollisionWorld& world, double time_s, CollisionScratch& sc
   }
 }
 
-/// Computes the groups' spheres, each centred in the bounding box of its capsules' centres.
-void place_groups(CollisionScratch& scratch) {
-  const std::span all(scratch.bounding_spheres);
-  scratch.groups.clear();
-  for (std::size_t first = 0; first < all.size(); first += kCapsuleGroup) {
-    const auto spheres =
-        all.subspan(first, std::min<std::size_t>(kCapsuleGroup, all.size() - first));
-    Vec3 low = spheres[0].centre, high = low;
-    for (const CollisionScratch::BoundingSphere& sphere : spheres.subspan(1)) {
-      low = low.cwiseMin(sphere.centre);
-      high = high.cwiseMax(sphere.centre);
-    }
-    CollisionScratch::BoundingSphere& group = scratch.groups.emplace_back();
-    group.centre = 0.5 * (low + high);
-    for (const CollisionScratch::BoundingSphere& sphere : spheres)
-      group.radius = std::max(group.radius, (sphere.centre - group.centre).norm() + sphere.radius);
+void place_clusters(const CollisionWorld& world, CollisionScratch& scratch) {
+  const std::vector<CapsuleCluster>& clusters = world.pairs.clusters();
+  scratch.clusters.resize(clusters.size());
+  for (std::size_t c = 0; c < clusters.size(); ++c) {
+    const CapsuleCluster& cluster = clusters[c];
+    scratch.clusters[c].sphere.centre =
+        cluster.frame < 0 ? cluster.centre
+                          : scratch.base_from_frame[cluster.frame] * cluster.centre;
+    scratch.clusters[c].sphere.radius = cluster.radius;
   }
 }
 
@@ -148,7 +176,7 @@ void update_bodies_from_frames(const CollisionWorld& world, double time_s,
     scratch.bounding_spheres[i].centre = 0.5 * (body.from + body.to);
     scratch.bounding_spheres[i].radius = 0.5 * (body.to - body.from).norm() + body.radius;
   }
-  place_groups(scratch);
+  place_clusters(world, scratch);
   scratch.object_poses.clear();
   for (const SceneObject& object : world.scene->objects)
     scratch.object_poses.push_back(recorded_pose(object, time_s));

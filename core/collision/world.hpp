@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "core/collision/capsule_pairs.hpp"
 #include "core/collision/distance.hpp"
 #include "core/collision/mesh_solid.hpp"
 #include "core/motion/plan.hpp"
@@ -35,7 +36,7 @@ struct CollisionWorld {
   int target = -1;  ///< index into scene->objects, -1 if there is no target
   double touch_begin_s = kUnknown, touch_end_s = kUnknown;  ///< demonstration time, NaN = never
   Tolerances tolerances;
-  std::vector<std::array<int, 2>> pairs;  ///< checked capsules i < j, see make_world()
+  CapsulePairs pairs;  ///< checked capsules, see make_world()
   AttachedTarget attached;
 };
 
@@ -87,20 +88,25 @@ inline PairSeparation no_pair() { return {{-1, 0, false}, {kInfinity, {}, {}, {}
 
 /// Buffers of the queries; each thread needs its own.
 struct CollisionScratch {
-  /// A sphere that contains a body or a group of bodies.
+  /// A sphere that contains a body or a cluster of bodies.
   struct BoundingSphere {
     Vec3 centre;
     double radius = 0;
   };
+  /// A cluster of capsules, and what the current query cannot exclude for all of them.
+  struct Cluster {
+    BoundingSphere sphere;
+    std::vector<int> near_partners, near_objects;
+  };
   std::vector<Pose> base_from_frame;
   std::vector<CapsuleBody> bodies;
   std::vector<BoundingSphere> bounding_spheres;  ///< [capsules] each contains its capsule
-  std::vector<BoundingSphere> groups;            ///< each contains up to kCapsuleGroup capsules
+  std::vector<Cluster> clusters;                 ///< as in CapsulePairs
   std::vector<Pose> object_poses;
-  std::vector<int> near_group;        ///< objects near the current group of capsules
-  JointVector position, travel;       ///< of continuous checks
-  std::vector<double> body_travel;    ///< [capsules] [m]
-  std::vector<double> object_travel;  ///< [objects] [m]
+  std::vector<int> near_capsules;                      ///< of the current capsule, ascending
+  JointVector position, travel;                        ///< of continuous checks
+  std::vector<double> body_travel;                     ///< [capsules] [m]
+  std::vector<double> object_travel;                   ///< [objects] [m]
   std::vector<std::vector<BodyPair>> undecided_pairs;  ///< not yet proved free, by bisection depth
 };
 

@@ -102,6 +102,14 @@ void Loads::add_angle(int frame, const Quat& current, const Quat& goal, double w
   add_rotation(frame, gradient, hessian);
 }
 
+void Loads::add_direction(int frame, const Vec3& current, const Vec3& goal, double weight) {
+  value += weight * (current - goal).squaredNorm();
+  const Vec3& other = curvature == Curvature::exact ? goal : current;
+  Eigen::Matrix3d hessian = -weight * (current * other.transpose() + other * current.transpose());
+  hessian.diagonal().array() += 2 * weight * current.dot(other);
+  add_rotation(frame, -2 * weight * current.cross(goal), hessian);
+}
+
 void predict_multiplier_forces(const RobotModel& robot, const JointVector& step, LoadSweep& sweep,
                                std::vector<PointMemory>& points) {
   sweep.displacement.resize(robot.frames.size());

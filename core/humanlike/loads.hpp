@@ -90,6 +90,9 @@ struct Loads {
   /// weight * s cot(d) / 2. That along n, weight * e² / (4 sqrt(d² + e²)³), is evaluated with
   /// AngleMemory::dual in exact mode, and replaced by weight / (4 sqrt(d² + e²)) otherwise.
   void add_angle(int frame, const Quat& current, const Quat& goal, double weight, double smoothing);
+  /// Adds weight * ‖current - goal‖² for unit vectors, of which `current` turns with the frame. The
+  /// curvature is that of the chord in exact mode, else that at a goal that is met.
+  void add_direction(int frame, const Vec3& current, const Vec3& goal, double weight);
 
  private:
   std::size_t points_added_ = 0, angles_added_ = 0;

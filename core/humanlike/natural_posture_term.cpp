@@ -33,6 +33,12 @@ void NaturalPosture::add(const RobotState& state, const FrameGoal& goal, double 
   }
 }
 
+void NaturalPosture::apply(const FrameGoal& goal, JointVector& q) const {
+  for (const Joint& entry : joints) {
+    if (is_active(entry, goal)) q[entry.joint] -= posture_error(entry, q);
+  }
+}
+
 double NaturalPosture::distance(const JointVector& q, const FrameGoal& goal) const {
   double sum = 0;
   int count = 0;

@@ -22,6 +22,8 @@ struct NaturalPosture {
   /// Adds the term at a state, multiplied by `share`, to the model.
   void add(const RobotState& state, const FrameGoal& goal, double share,
            solve::Quadratic& model) const;
+  /// Moves the joints that only move tips without a goal to their natural posture in q [n].
+  void apply(const FrameGoal& goal, JointVector& q) const;
   /// Returns the root mean square distance from the natural posture over the joints that only move
   /// tips without a goal [rad], or NaN without such joints.
   double distance(const JointVector& q, const FrameGoal& goal) const;

@@ -11,6 +11,7 @@
 #include "core/humanlike/joint_distance_term.hpp"
 #include "core/humanlike/natural_posture_term.hpp"
 #include "core/humanlike/pad_direction_term.hpp"
+#include "core/humanlike/palm_direction_term.hpp"
 #include "core/humanlike/thumb_distance_term.hpp"
 #include "core/humanlike/tip_orientation_term.hpp"
 #include "core/humanlike/tip_position_term.hpp"
@@ -23,6 +24,7 @@ namespace morphe::humanlike {
 using Terms = std::tuple<TipPosition,          //
                          TipOrientation,       //
                          PadDirection,         //
+                         PalmDirection,        //
                          ThumbDistance,        //
                          HandOrientation,      //
                          JointDistance,        //

@@ -68,4 +68,17 @@ double mean(const std::vector<double>& values) {
   return count == 0 ? kUnknown : sum / static_cast<double>(count);
 }
 
+double correlation(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() < 2) return kUnknown;
+  // Element by element: the order of Eigen's sums depends on the alignment of the data.
+  const double mean_a = mean(a), mean_b = mean(b);
+  double ab = 0, aa = 0, bb = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ab += (a[k] - mean_a) * (b[k] - mean_b);
+    aa += (a[k] - mean_a) * (a[k] - mean_a);
+    bb += (b[k] - mean_b) * (b[k] - mean_b);
+  }
+  return ab / std::sqrt(aa * bb);
+}
+
 }  // namespace morphe::math

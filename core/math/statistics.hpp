@@ -30,4 +30,8 @@ double median_distance(const std::vector<Vec3>& from, const std::vector<Vec3>& t
 /// Returns the mean of the values that are not NaN; NaN if there are no such values.
 double mean(const std::vector<double>& values);
 
+/// Returns Pearson's correlation of two series of the same length; NaN for fewer than two values
+/// and for a constant series.
+double correlation(const std::vector<double>& a, const std::vector<double>& b);
+
 }  // namespace morphe::math

@@ -3,6 +3,14 @@
 #include <algorithm>
 
 namespace morphe {
+namespace {
+
+Quat interpolate_rotation(const Quat& before, const Quat& after, double weight) {
+  if (!is_known(before) || !is_known(after)) return unknown_rotation();
+  return before.slerp(weight, after);
+}
+
+}  // namespace
 
 FrameInterpolation frame_interpolation(const Goals& goals, double time_s) {
   const auto next = std::ranges::lower_bound(goals.time, time_s);
@@ -28,10 +36,15 @@ double pad_share_at(const Goals& goals, std::size_t tip, double time_s) {
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s) {
   if (goals.tip_orientation.rows == 0) return unknown_rotation();
   const FrameInterpolation frames = frame_interpolation(goals, time_s);
-  const Quat& before = goals.tip_orientation(frames.before_frame, tip);
-  const Quat& after = goals.tip_orientation(frames.after_frame, tip);
-  if (!is_known(before) || !is_known(after)) return unknown_rotation();
-  return before.slerp(frames.weight, after);
+  return interpolate_rotation(goals.tip_orientation(frames.before_frame, tip),
+                              goals.tip_orientation(frames.after_frame, tip), frames.weight);
+}
+
+Quat wrist_orientation_at(const Goals& goals, double time_s) {
+  if (goals.wrist_orientation.empty()) return unknown_rotation();
+  const FrameInterpolation frames = frame_interpolation(goals, time_s);
+  return interpolate_rotation(goals.wrist_orientation[frames.before_frame],
+                              goals.wrist_orientation[frames.after_frame], frames.weight);
 }
 
 Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& pair) {

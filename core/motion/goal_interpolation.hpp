@@ -23,6 +23,8 @@ Vec3 tip_goal_at(const Goals& goals, std::size_t tip, double time_s);
 double pad_share_at(const Goals& goals, std::size_t tip, double time_s);
 /// Returns the orientation goal of a tip, or NaN if the goals have no orientations.
 Quat tip_orientation_goal_at(const Goals& goals, std::size_t tip, double time_s);
+/// Returns the person's hand, Goals::wrist_orientation; NaN if it is unknown.
+Quat wrist_orientation_at(const Goals& goals, double time_s);
 /// Interpolates one of the goals' series of points, such as elbow_position; NaN if it is empty.
 Vec3 interpolate_point(const std::vector<Vec3>& points, const FrameInterpolation& pair);
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/motion/arm_branch.hpp"
 #include "core/motion/enum_names.hpp"
 #include "core/motion/finding.hpp"
 #include "core/motion/geometry.hpp"
@@ -160,6 +161,14 @@ struct Certificate {
   double tip_error_grasp = kUnknown;            ///< largest in grasp and hold [m], NaN without them
   double tip_orientation_error_max = kUnknown;  ///< full angle [rad], NaN without such goals
   double upper_arm_error_mean = kUnknown, upper_arm_error_max = kUnknown;  ///< direction [rad]
+  /// Likewise of the forearm, of the elbow about the line from shoulder to wrist, and of the palm's
+  /// rotation [rad] (core/humanlike/arm_posture.hpp); NaN if unknown.
+  double forearm_error_mean = kUnknown, forearm_error_max = kUnknown;
+  double swivel_error_mean = kUnknown, swivel_error_max = kUnknown;
+  double palm_error_mean = kUnknown, palm_error_max = kUnknown;
+  /// Correlation of the wrist's speeds, the robot's and the person's
+  /// (stages/certify/wrist_speed.hpp).
+  double wrist_speed_correlation = kUnknown;
   double duration_ratio = kUnknown;  ///< duration / human duration
   double humanlikeness_mapped = kUnknown, humanlikeness_final = kUnknown;  ///< mean A [m^2]
   /// Smoothness of the mean speed of the tips with goals (stages/certify/smoothness.hpp).
@@ -207,6 +216,7 @@ struct Plan {
   Scene scene;  ///< in the robot's base frame
   WorldFrames reference_frames;
   MappingResult mapped;
+  ArmBranch branch;                ///< of the trajectory, or of the mapped path without one
   std::vector<Finding> findings;   ///< of the mapped path, including those that repair removed
   std::vector<RepairStep> repair;  ///< in the order of execution; empty without a finding
   bool repaired = false;  ///< true if `path` is not the mapped one; stored with the certificate

@@ -50,6 +50,14 @@ void lay_out_mapped(Io& io, T& mapped) {
   io.dataset("status", mapped.status, {"1", "", meaning<FrameStatus>()});
 }
 
+/// Lays out the branch of the arm, which files of earlier versions do not contain.
+template <class Io, class T>
+void lay_out_branch(Io& io, T& branch) {
+  io.optional_attribute("branch", branch.number);
+  io.optional_names("branch_words", branch.words);
+  io.optional_names("branch_changes", branch.changes);
+}
+
 /// Lays out findings.
 template <class Io, class T>
 void lay_out_findings(Io& io, T& findings) {
@@ -143,6 +151,18 @@ void lay_out_trajectory(Io& io, T& trajectory) {
   io.dataset("clearance", trajectory.clearance, {"m", "", ""});
 }
 
+/// Lays out the figures of posture that certificates of earlier versions lack; they stay unknown.
+template <class Io, class T>
+void lay_out_posture_errors(Io& io, T& certificate) {
+  io.optional_attribute("forearm_error_mean", certificate.forearm_error_mean);
+  io.optional_attribute("forearm_error_max", certificate.forearm_error_max);
+  io.optional_attribute("swivel_error_mean", certificate.swivel_error_mean);
+  io.optional_attribute("swivel_error_max", certificate.swivel_error_max);
+  io.optional_attribute("palm_error_mean", certificate.palm_error_mean);
+  io.optional_attribute("palm_error_max", certificate.palm_error_max);
+  io.optional_attribute("wrist_speed_correlation", certificate.wrist_speed_correlation);
+}
+
 /// Lays out the certificate, with `repaired` and natural_posture_error, which a plan holds
 /// elsewhere.
 template <class Io, class T>
@@ -159,6 +179,7 @@ void lay_out_certificate(Io& io, T& plan) {
   io.attribute("tip_orientation_error_max", certificate.tip_orientation_error_max);
   io.attribute("upper_arm_error_mean", certificate.upper_arm_error_mean);
   io.attribute("upper_arm_error_max", certificate.upper_arm_error_max);
+  lay_out_posture_errors(io, certificate);
   io.attribute("natural_posture_error", plan.mapped.natural_posture_error);
   io.attribute("duration_ratio", certificate.duration_ratio);
   io.attribute("humanlikeness_mapped", certificate.humanlikeness_mapped);
@@ -223,6 +244,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.group_if(is_known(plan.reference_frames.base_from_world), "reference_frames",
               [&](Io& in) { lay_out_reference_frames(in, plan.reference_frames); });
   io.group("mapped", [&](Io& in) { lay_out_mapped(in, plan.mapped); });
+  lay_out_branch(io, plan.branch);
   io.group("findings", [&](Io& in) { lay_out_findings(in, plan.findings); });
   io.group_if(!plan.repair.empty(), "repair", [&](Io& in) { lay_out_repair(in, plan.repair); });
   io.group_if(!plan.remaining_findings.empty(), "remaining_findings",

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "pipeline/commands/branch_text.hpp"
 #include "pipeline/commands/plan_diff.hpp"
 
 namespace morphe::commands {
@@ -13,6 +14,9 @@ Json side_json(const std::optional<PlanRow>& row) {
       {"status", row->status}, {"reason", row->reason}, {"arm_estimated", row->arm_estimated}};
   for (int k = 0; k < kPlanFigureCount; ++k)
     json[std::string(plan_figures()[k].key)] = row->figures[k];
+  json["branch"] = row->branch.number ? Json(*row->branch.number) : Json();
+  json["branch_words"] = row->branch.words;
+  json["branch_changes"] = row->branch.changes;
   return json;
 }
 
@@ -44,6 +48,16 @@ Json status_json(const PlanDiff& diff) {
   return changes;
 }
 
+Json branches_json(const PlanDiff& diff) {
+  Json changes = Json::array();
+  for (const PlanPair& pair : diff.pairs) {
+    if (!pair.in_both()) continue;
+    const std::string change = branch_change(pair.first->branch, pair.second->branch);
+    if (!change.empty()) changes.push_back({{"plan", pair.name}, {"change", change}});
+  }
+  return changes;
+}
+
 }  // namespace
 
 std::string diff_json(const PlanDiff& diff) {
@@ -64,6 +78,7 @@ std::string diff_json(const PlanDiff& diff) {
   json["config_changes"] = diff.config_changes;
   json["file_changes"] = diff.file_changes;
   json["status_changes"] = status_json(diff);
+  json["branch_changes"] = branches_json(diff);
   json["figures"] = Json::object();
   for (int k = 0; k < kPlanFigureCount; ++k) {
     const FigureChange& change = diff.figures[k];

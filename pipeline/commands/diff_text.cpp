@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/motion/count_with_noun.hpp"
+#include "pipeline/commands/branch_text.hpp"
 #include "pipeline/commands/plan_diff.hpp"
 #include "pipeline/commands/text_table.hpp"
 
@@ -85,6 +86,27 @@ std::string status_text(const std::vector<PlanPair>& pairs, std::size_t width) {
   if (changed > 0)
     text += count_with_noun(changed, "plan") + " with another change of status:\n" + other;
   return text;
+}
+
+/// Returns the plans whose branch changed, each with the change of its palm, which tells how much
+/// of the change is another posture of the hand.
+std::string branch_lines(const std::vector<PlanPair>& pairs, std::size_t width) {
+  std::string lines;
+  int changed = 0;
+  const PlanFigure& palm = plan_figures()[figure_index("palm_error")];
+  for (const PlanPair& pair : pairs) {
+    const std::string change =
+        pair.in_both() ? branch_change(pair.first->branch, pair.second->branch) : "";
+    if (change.empty()) continue;
+    ++changed;
+    const auto palm_of = [&](const PlanRow& row) {
+      return format_figure(palm, row.figures[figure_index("palm_error")]);
+    };
+    lines += wrap_line(fmt::format("{}: {}; palm {} -> {} degrees", pair.name, change,
+                                   palm_of(*pair.first), palm_of(*pair.second)),
+                       width, "  ");
+  }
+  return changed == 0 ? "" : count_with_noun(changed, "plan") + " in another branch:\n" + lines;
 }
 
 bool arm_estimated(const PlanPair& pair) {
@@ -189,7 +211,8 @@ std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, 
   const std::set<std::string> differing = differing_plans(diff);
   std::string text = counts_text(diff, differing);
   if (!differing.empty())
-    text += status_text(diff.pairs, width) + figures_text(diff, width) + rows_text(pairs, width);
+    text += status_text(diff.pairs, width) + branch_lines(diff.pairs, width) +
+            figures_text(diff, width) + rows_text(pairs, width);
   return text + (all ? datasets_text(diff, pairs)
                      : "(--all lists every dataset that differs, with the largest change and its "
                        "place)\n");

@@ -11,8 +11,10 @@
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
+#include "pipeline/commands/posture_json.hpp"
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/explain/collect_advice.hpp"
+#include "pipeline/explain/posture_text.hpp"
 #include "pipeline/explain/step_summary.hpp"
 #include "pipeline/planning/run_config.hpp"
 #include "pipeline/run/journal.hpp"
@@ -101,6 +103,7 @@ Json json_of(const PlanSource& source, const Plan& plan, const std::string& path
             {"reason", name_of(plan.reason)},
             {"detail", plan.detail},
             {"step_summary", explain::step_summary(source.reader.robot(), plan)},
+            {"posture", posture_json(explain::posture_summary(source.robot, plan))},
             {"advice", Json::array()}};
   for (const explain::TriedAdvice& tried : advice) {
     Json entry{{"kind", name_of(tried.advice.kind)},
@@ -117,8 +120,9 @@ Json json_of(const PlanSource& source, const Plan& plan, const std::string& path
 
 std::string text_of(const PlanSource& source, const Plan& plan,
                     const std::vector<explain::TriedAdvice>& advice) {
-  std::string text =
-      explain::step_summary(source.reader.robot(), plan) + planning_time_text(source, plan);
+  std::string text = explain::step_summary(source.reader.robot(), plan) +
+                     explain::posture_text(plan, explain::posture_summary(source.robot, plan)) +
+                     planning_time_text(source, plan);
   if (source.config) {
     const std::string words =
         map::standing_text(source.robot, source.config->loaded.options.placement);

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 
 #include "core/motion/count_with_noun.hpp"
 #include "core/store/plan_file.hpp"
+#include "pipeline/commands/branch_text.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
@@ -34,8 +36,12 @@ CommandAction add_list_arguments(CLI::App& app) {
     }
     sort_rows(arguments->choice, rows);
     const std::size_t width = terminal_width();
-    fmt::print("{}{}{} of {}\n", plan_table(rows, width),
-               reference_frames_text(plans.robot().name, rows, width), rows.size(),
+    std::map<std::string, int> branches;
+    for (const PlanRow& row : rows)
+      if (row.branch.number) ++branches[branch_phrase(row.branch)];
+    fmt::print("{}{}{}{} of {}\n", plan_table(rows, width),
+               reference_frames_text(plans.robot().name, rows, width),
+               branches_text(plans.robot().name, branches, rows, width), rows.size(),
                count_with_noun(plans.size(), "plan"));
     return 0;
   };

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/math/statistics.hpp"
-#include "pipeline/planning/palm_error.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -65,7 +64,7 @@ constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
     {"mapped_tip_error", "mapped tips", "mm", 1e3, 2, 1, mapped_tip_error_max},
     {"unreachable_share", "out of reach", "%", 100, 1, 1, share_out_of_reach},
-    {"max_joint_step", "max joint step", "rad", 1, 3, 1, largest_step},
+    {"max_joint_step", "mapped joint step", "rad", 1, 3, 1, largest_step},
     {"tip_error_grasp", "tips at grasp", "mm", 1e3, 2, 1,
      certificate_figure<&Certificate::tip_error_grasp>},
     {"tip_error_mean", "tips mean", "mm", 1e3, 2, 1,
@@ -75,7 +74,14 @@ constexpr std::array<PlanFigure, kPlanFigureCount> kFigures{{
      certificate_figure<&Certificate::humanlikeness_final>, true},
     {"upper_arm_error", "upper arm", "deg", kDegreesPerRadian, 1, 1,
      certificate_figure<&Certificate::upper_arm_error_mean>, true},
-    {"palm_error", "palm", "deg", kDegreesPerRadian, 1, 1, planning::palm_error},
+    {"forearm_error", "forearm", "deg", kDegreesPerRadian, 1, 1,
+     certificate_figure<&Certificate::forearm_error_mean>, true},
+    {"swivel_error", "swivel angle", "deg", kDegreesPerRadian, 1, 1,
+     certificate_figure<&Certificate::swivel_error_mean>, true},
+    {"palm_error", "palm", "deg", kDegreesPerRadian, 1, 1,
+     certificate_figure<&Certificate::palm_error_mean>},
+    {"wrist_speed_correlation", "wrist speed r", "", 1, 2, -1,
+     certificate_figure<&Certificate::wrist_speed_correlation>},
     {"clearance", "clearance", "mm", 1e3, 1, -1, certificate_figure<&Certificate::clearance>},
     {"duration_ratio", "duration ratio", "", 1, 2, 1,
      certificate_figure<&Certificate::duration_ratio>},

@@ -23,7 +23,7 @@ struct PlanFigure {
 };
 
 /// The number of figures.
-inline constexpr int kPlanFigureCount = 12;
+inline constexpr int kPlanFigureCount = 15;
 /// Returns the figures, in the order in which a run's journal stores them.
 const std::array<PlanFigure, kPlanFigureCount>& plan_figures();
 /// Returns the index of the figure of a key, kPlanFigureCount if there is none.

@@ -14,6 +14,7 @@
 #include "pipeline/commands/scene_remarks.hpp"
 #include "pipeline/commands/text_table.hpp"
 #include "pipeline/explain/advice.hpp"
+#include "pipeline/planning/plan_branch.hpp"
 #include "pipeline/report/selection.hpp"
 
 namespace morphe::commands {
@@ -80,20 +81,37 @@ Pose pose_of(const json& value) {
   return pose;
 }
 
+json branch_json(const ArmBranch& branch) {
+  if (!branch.number) return nullptr;
+  return {{"number", *branch.number}, {"words", branch.words}, {"changes", branch.changes}};
+}
+
+ArmBranch branch_of_json(const json& value) {
+  ArmBranch branch;
+  if (value.is_null()) return branch;
+  branch.number = value.at("number").get<int>();
+  value.at("words").get_to(branch.words);
+  value.at("changes").get_to(branch.changes);
+  return branch;
+}
+
 /// A figure's column of the table: the fields are those of TextTable::Column.
 struct FigureColumn {
   const char *key, *top, *subhead;
   int drop_priority;
 };
-constexpr std::array<FigureColumn, 10> kColumns{{{"mapped_tip_error", "mapped", "tips mm", 9},
+constexpr std::array<FigureColumn, 13> kColumns{{{"mapped_tip_error", "mapped", "tips mm", 9},
                                                  {"unreachable_share", "out of", "reach %", 3},
-                                                 {"max_joint_step", "max joint", "step rad", 10},
+                                                 {"max_joint_step", "mapped", "step rad", 13},
                                                  {"tip_error_grasp", "tips at", "grasp mm", 5},
                                                  {"tip_error_max", "tips", "max mm", 1},
-                                                 {"humanlikeness", "human-", "like cm^2", 4},
+                                                 {"humanlikeness", "human-", "like cm^2", 12},
                                                  {"upper_arm_error", "upper arm", "mean deg", 6},
-                                                 {"palm_error", "palm", "mean deg", 7},
-                                                 {"clearance", "clearance", "mm", 8},
+                                                 {"forearm_error", "forearm", "mean deg", 8},
+                                                 {"swivel_error", "swivel", "mean deg", 10},
+                                                 {"palm_error", "palm", "mean deg", 4},
+                                                 {"wrist_speed_correlation", "wrist", "speed r", 7},
+                                                 {"clearance", "clearance", "mm", 11},
                                                  {"duration_ratio", "duration", "ratio", 2}}};
 
 }  // namespace
@@ -106,6 +124,7 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan, const explain::Advic
   row.figures = figures_of(robot, plan);
   row.arm_estimated = is_arm_estimated(plan.goals);
   row.lines = lines_of(robot, plan, context);
+  row.branch = plan.branch.number ? plan.branch : planning::branch_of(robot, plan);
   row.world = plan.reference_frames;
   row.remarks = scene_remarks(plan);
   return row;
@@ -123,7 +142,8 @@ std::string row_to_json(const PlanRow& row) {
               {"table", matrix_json(world.base_from_table)},
               {"target", matrix_json(world.base_from_target)},
               {"shoulder", {world.shoulder.x(), world.shoulder.y(), world.shoulder.z()}},
-              {"remarks", row.remarks}}
+              {"remarks", row.remarks},
+              {"branch", branch_json(row.branch)}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -143,6 +163,7 @@ PlanRow row_from_json(const std::string& text) {
     row.world.base_from_target = pose_of(row_json.at("target"));
     for (int k = 0; k < 3; ++k) row.world.shoulder[k] = number_of(row_json.at("shoulder").at(k));
     row_json.at("remarks").get_to(row.remarks);
+    if (row_json.contains("branch")) row.branch = branch_of_json(row_json.at("branch"));
   } catch (const nlohmann::json::exception&) {
     throw InputError("a row of the journal's table is damaged; plan again with --fresh");
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/arm_branch.hpp"
 #include "core/robot/robot.hpp"
 #include "pipeline/commands/plan_figures.hpp"
 #include "pipeline/explain/advice.hpp"
@@ -18,6 +19,7 @@ struct PlanRow {
   FigureValues figures{};
   bool arm_estimated = false;      ///< true if shoulder or elbow were not recorded
   std::vector<std::string> lines;  ///< reason for an infeasible plan, advice, notes, findings
+  ArmBranch branch;
   WorldFrames world;
   std::map<std::string, std::string> remarks;  ///< scene_remarks()
 

@@ -130,7 +130,8 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
   request.limits = limits_of(arguments.limits);
   if (arguments.capsules > 0) {
     setup::CapsuleBudget& budget = request.budget;
-    budget.arm = budget.wrist = budget.palm = budget.finger = budget.near = arguments.capsules;
+    const int capsules = arguments.capsules;
+    budget = {capsules, capsules, capsules, capsules, capsules, capsules};
   }
   return request;
 }

@@ -49,8 +49,9 @@ TextTable::Row robot_row(const std::string& name, const store::PlanReader& plans
                100 * static_cast<double>(goals.out_of_reach) / static_cast<double>(goals.all), 1),
            format_decimal(1e3 * tips_m / static_cast<double>(moving.size()), 2),
            format_decimal(1e3 * tips_max_m, 2), median(moving, "humanlikeness", estimate),
-           median(moving, "upper_arm_error", estimate), median(moving, "palm_error"),
-           median(moving, "duration_ratio")},
+           median(moving, "upper_arm_error", estimate), median(moving, "forearm_error", estimate),
+           median(moving, "swivel_error", estimate), median(moving, "palm_error"),
+           median(moving, "wrist_speed_correlation"), median(moving, "duration_ratio")},
           {}};
 }
 
@@ -65,9 +66,12 @@ std::string robots_table(const std::vector<std::pair<std::string, std::filesyste
                    {"out of", "reach %", false, 1},
                    {"tips", "mean mm", false, 3},
                    {"tips", "max mm", false, 2},
-                   {"human-", "like cm^2", false, 4},
+                   {"human-", "like cm^2", false, 10},
                    {"upper arm", "median deg", false, 6},
-                   {"palm", "median deg", false, 7},
+                   {"forearm", "median deg", false, 8},
+                   {"swivel", "median deg", false, 9},
+                   {"palm", "median deg", false, 4},
+                   {"wrist", "speed r med.", false, 7},
                    {"duration", "ratio med.", false, 2}};
   for (const auto& [name, plans] : robots)
     table.rows.push_back(robot_row(name, store::PlanReader(plans)));

@@ -11,6 +11,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/version.hpp"
 #include "pipeline/commands/assumptions.hpp"
+#include "pipeline/commands/branch_text.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
@@ -104,6 +105,7 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
     return;
   }
   const RowSelection& choice = arguments.choice;
+  std::vector<PlanRow> named;
   if (one.summary.movements <= kMaxPrintedRows || !choice.sort_key.empty() ||
       !choice.filters.empty()) {
     std::vector<PlanRow> rows;
@@ -116,12 +118,14 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
     fmt::print("{}{}", plan_table(rows, width), reference_frames_text(robot.name, rows, width));
     if (!choice.filters.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
+    named = std::move(rows);
   }
   fmt::print("{}: {} of {} fingertip goals are out of reach with this placement{}\n", robot.name,
              one.summary.out_of_reach, one.summary.goals,
              base_words(robot, one.config.loaded.options.placement));
   if (const std::string unchecked = unchecked_sentence(robot.unchecked_links); !unchecked.empty())
     fmt::print("{}: {}\n", robot.name, unchecked);
+  fmt::print("{}", branches_text(robot.name, one.summary.branches, named, terminal_width()));
   if (const std::string speed = run::speed_text(one.summary); !speed.empty())
     fmt::print("{}\n", speed);
   fmt::print("{}: {}\n", one.plans().string(), run::summary_sentence(one.summary));

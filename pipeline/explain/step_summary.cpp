@@ -1,6 +1,7 @@
 #include "pipeline/explain/step_summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,14 @@ std::string mapping(const RobotModel& robot, const Plan& plan) {
   return human.empty() ? text : text + line("", human);
 }
 
+/// Returns the branch of the arm, with its changes along the path; "" without one.
+std::string branch_line(const ArmBranch& branch) {
+  if (!branch.number) return "";
+  std::string text = fmt::format("{}", fmt::join(branch.words, ", "));
+  if (!branch.changes.empty()) text += fmt::format("; {}", fmt::join(branch.changes, ", "));
+  return line("branch", text);
+}
+
 std::string finding_lines(const char* step, const std::vector<Finding>& findings,
                           const char* none) {
   if (findings.empty()) return line(step, none);
@@ -183,6 +192,7 @@ std::string step_summary(const RobotModel& robot, const Plan& plan) {
   if (plan.reason == Reason::no_movement) return text;
   text += segmentation(plan.movement) + mapping(robot, plan);
   if (plan.mapped.position.rows() == 0) return text;
+  text += branch_line(plan.branch);
   text += finding_lines("problems", plan.findings, "none in the mapped path");
   text += repairs(robot, plan);
   if (!plan.remaining_findings.empty())

@@ -43,6 +43,7 @@ planning::PipelineConfig trial_config(const planning::PipelineConfig& config,
   trial.map.key_frames = effort.key_frames;
   trial.map.starts = effort.starts;
   trial.map.candidates = 2;
+  trial.map.branch = map::BranchRule::best;  // a reference of every pose would cost a search
   solve::MovementOptions& movement = trial.map.movement_solver;
   movement.max_iterations = std::min(movement.max_iterations, kMaxIterations);
   movement.relative_tolerance = std::max(movement.relative_tolerance, kRelativeTolerance);

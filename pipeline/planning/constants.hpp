@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "pipeline/planning/clearance_weights.hpp"
 
 namespace morphe::planning {
@@ -35,6 +37,35 @@ inline constexpr int kMaxContactMoves = 3;
 // Re-solving a path with increasing weights of clearance.
 /// Factor on the relative tolerance of all re-solves except those with kStrongestWeights.
 inline constexpr double kCoarseToleranceFactor = 100;
+
+// A hand alone.
+/// Factor on the distance at which the clearance of a hand alone begins, in all re-solves and
+/// searches of its repair: its fingers are near each other most of the time, and those that are
+/// clear of each other by a millimetre should keep their goals. With all of the distance, the path
+/// of the LEAP hand (datasets/dex-retargeting) through other postures was off by 31 mm in the mean.
+inline constexpr double kHandAloneBandScale = 0.2;
+/// An attempt to solve a path again from bridges over its collisions.
+struct BridgeAttempt {
+  double margin_s;   ///< from a collision to the ends of its bridge
+  double clearance;  ///< factor on the weight of clearance
+};
+/// Attempts, until one is free. LEAP is free with the first, which replaces least; Shadow, whose
+/// thumb lies on its forearm, with the weight of the second.
+inline constexpr std::array kBridgeAttempts{BridgeAttempt{0.05, 1000}, BridgeAttempt{0.1, 10000},
+                                            BridgeAttempt{0.2, 10000}};
+/// Time beside a bridge that may move too [s]: as much as beside a finding.
+inline constexpr double kReSolvedBesideBridge_s = 0.3;
+
+// Keeping the person's tempo.
+/// The excess of the duration over the person's falls about with this root of the cost of motion
+/// (Allegro, LEAP, Shadow and Inspire on datasets/dex-retargeting: exponents of 0.23 to 0.30).
+inline constexpr double kTempoRoot = 4;
+/// Least and largest factor on the cost of motion from one attempt to the next, chosen by hand: a
+/// smaller one takes more attempts, a larger one costs more of the tips' accuracy than is needed.
+inline constexpr double kMinCostStep = 1.2, kMaxCostStep = 4;
+inline constexpr int kMaxCostSteps = 6;  ///< largest number of attempts
+/// Factors with which a free path remains nearly free when all of it is solved again.
+inline constexpr ClearanceWeights kTempoWeights{10000, 0.4};
 
 // Search for an infeasible frame.
 inline constexpr int kMaxFramesPerPath = 6;

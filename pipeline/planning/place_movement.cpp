@@ -109,6 +109,7 @@ PlacedMovement::PlacedMovement(const PlanningInputs& planner, const HumanMotion&
   world = collision::make_world(robot, mapping_scene, movement, config.check.tolerances,
                                 config.scene.meshes);
   problem = map::make_mapping_problem(robot, goals, world, config.map, movement.phases);
+  problem.reference = planner.reference;
   if (config.map.mode == map::MapMode::joint_to_joint) {
     problem.goals = map::joint_to_joint_goals(robot, motion.hand_angles, motion.time, goals);
   }

@@ -10,7 +10,9 @@
 #include "pipeline/planning/begin_plan.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contacts.hpp"
+#include "pipeline/planning/keep_tempo.hpp"
 #include "pipeline/planning/place_movement.hpp"
+#include "pipeline/planning/plan_branch.hpp"
 #include "pipeline/planning/plan_sentences.hpp"
 #include "pipeline/planning/repair_movement.hpp"
 #include "pipeline/planning/smoothing_fallback.hpp"
@@ -65,7 +67,7 @@ PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& dem
   PreparedMovement setting;
   setting.begun = begin_plan(demonstration, movement, config.check.tolerances);
   setting.seed =
-      math::seed_from(config.seed, fmt::format("{}/{}", demonstration.name, movement.index));
+      math::seed_from(config.seed, "movement");  // the same for all: a name decides nothing
   if (!map::is_hand_only(planner.robot) && !is_known(map::shoulder_at_begin(recorded, movement))) {
     setting.failure = {Reason::no_shoulder, "the shoulder was never seen"};
     return setting;
@@ -251,17 +253,12 @@ Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demo
     return plan_with_contacts(planner, setting, world, plan, failure);
   }
   if (failure) return fail(std::move(plan), failure);
+  Plan in_tempo = planner.timed("repair", [&] { return keep_tempo(planner, placed, world, plan); });
+  complete_plan(planner, setting, {}, world, in_tempo);
+  const bool same_path = in_tempo.path.position == plan.path.position;
+  if (same_path || in_tempo.has_trajectory()) return in_tempo;
   complete_plan(planner, setting, {}, world, plan);
   return plan;
-}
-
-/// Returns the config with paths farther from obstacles, which leaves room for smoothing.
-PipelineConfig farther_from_obstacles(PipelineConfig config) {
-  double& activation_m = config.map.clearance.activation_distance_m;
-  double& extra_m = config.repair.extra_clearance;
-  activation_m = std::max(activation_m, kFartherActivationDistance_m);
-  extra_m = std::max(extra_m, kFartherExtraClearance_m);
-  return config;
 }
 
 /// Plans a movement as configured, or else farther from the obstacles.
@@ -294,6 +291,7 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
   Plan plan = plan_or_plan_farther(planner, demonstration, recorded, movement, known_offset);
   const std::string opening = opening_warning(planner.robot, plan.goals);
   if (!opening.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + opening;
+  plan.branch = branch_of(planner.robot, plan);
   return plan;
 }
 

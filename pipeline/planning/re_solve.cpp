@@ -1,12 +1,16 @@
 #include "pipeline/planning/re_solve.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "pipeline/planning/constants.hpp"
+#include "stages/map/placement.hpp"
 #include "stages/map/re_solve_path.hpp"
+#include "stages/repair/bridge_collisions.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -38,6 +42,32 @@ RepairStrategy re_solve_strategy(const ReSolveContext& context, std::string name
   return {std::move(name), make};
 }
 
+/// Returns the strategy that solves the path again from bridges over its collisions. If the result
+/// still collides, but the bridges themselves do not, it is these.
+RepairStrategy re_solve_bridge(const ReSolveContext& context, const BridgeAttempt& attempt) {
+  const auto make = [context, attempt](const CheckedPath& best) {
+    repair::StrategyResult result{best};
+    if (std::ranges::none_of(best.findings, is_collision, &Finding::cause)) {
+      result.stop_reason = "skipped (no collision left)";
+      return result;
+    }
+    CheckedPath bridged{repair::bridge_collisions(*context.whole.robot, best, attempt.margin_s),
+                        {}};
+    bridged.findings = context.check(bridged.path);
+    map::MapOptions options = context.options;
+    options.movement_solver.relative_tolerance *= kCoarseToleranceFactor;
+    result.candidate.path =
+        map::re_solve_path(with_clearance_weights(context.whole, {attempt.clearance}), bridged.path,
+                           best.findings, options, attempt.margin_s + kReSolvedBesideBridge_s);
+    result.candidate.findings = context.check(result.candidate.path);
+    if (repair::is_better(bridged.findings, result.candidate.findings))
+      result.candidate = std::move(bridged);
+    return result;
+  };
+  return {fmt::format("margin {} s, clearance weight x {}", attempt.margin_s, attempt.clearance),
+          make};
+}
+
 /// Returns the strategy that applies several strategies in order.
 RepairStrategy chain(std::string name, std::vector<RepairStrategy> strategies) {
   return {std::move(name), [strategies = std::move(strategies)](const CheckedPath& best) {
@@ -45,21 +75,36 @@ RepairStrategy chain(std::string name, std::vector<RepairStrategy> strategies) {
           }};
 }
 
-}  // namespace
-
-RepairStrategy re_solve_closely(const ReSolveContext& context) {
-  return chain(
-      "re-solve, close to the goals",
-      {re_solve_strategy(context, "clearance weight x 10, activation distance x 0.2", {10, 0.2}),
-       re_solve_strategy(context, "clearance weight x 100, activation distance x 0.2", {100, 0.2}),
-       re_solve_strategy(context, "clearance weight x 1000, activation distance x 0.2",
-                         {1000, 0.2})});
+RepairStrategy re_solve_from_bridges(const ReSolveContext& context) {
+  std::vector<RepairStrategy> bridges;
+  for (const BridgeAttempt& attempt : kBridgeAttempts)
+    bridges.push_back(re_solve_bridge(context, attempt));
+  return chain("re-solve from bridges over the collisions", std::move(bridges));
 }
 
-RepairStrategy re_solve_mildly(const ReSolveContext& context) {
-  return chain("re-solve, low clearance weights",
-               {re_solve_strategy(context, "clearance weight x 10", {10}),
-                re_solve_strategy(context, "clearance weight x 100", {100})});
+}  // namespace
+
+map::MappingProblem whole_problem(const map::MappingProblem& problem,
+                                  const collision::CollisionWorld& world) {
+  map::MappingProblem whole = problem;
+  whole.world = &world;
+  if (map::is_hand_only(*world.robot)) whole.clearance.activation_distance_m *= kHandAloneBandScale;
+  return whole;
+}
+
+std::vector<RepairStrategy> first_re_solves(const ReSolveContext& context) {
+  if (map::is_hand_only(*context.whole.robot)) {
+    return {chain("re-solve near the findings",
+                  {re_solve_strategy(context, "clearance weight x 100, activation distance x 0.4",
+                                     {100, 0.4}),
+                   re_solve_strategy(context, "clearance weight x 10000, activation distance x 0.4",
+                                     {10000, 0.4}),
+                   re_solve_strategy(context, "clearance weight x 1000", {1000})}),
+            re_solve_from_bridges(context)};
+  }
+  return {chain("re-solve, low clearance weights",
+                {re_solve_strategy(context, "clearance weight x 10", {10}),
+                 re_solve_strategy(context, "clearance weight x 100", {100})})};
 }
 
 RepairStrategy re_solve_strongly(const ReSolveContext& context) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 #include "stages/repair/repair_strategy.hpp"
@@ -13,14 +15,19 @@ struct ReSolveContext {
   repair::PathCheck check;
 };
 
-/// Returns the strategy for a hand alone, whose fingers are near each other most of the time: with
-/// 10, 100 and 1000 times the weight of clearance, but at a fifth of the distance, so that fingers
-/// which are clear of each other keep their goals.
-repair::RepairStrategy re_solve_closely(const ReSolveContext& context);
+/// Returns the mapping problem that repair solves: the movement in the whole scene. The clearance
+/// of a hand alone begins at a smaller distance (kHandAloneBandScale).
+map::MappingProblem whole_problem(const map::MappingProblem& problem,
+                                  const collision::CollisionWorld& world);
 
-/// Returns the strategy that changes the mapping least: while the path collides, it is solved again
-/// near its findings in the whole scene, with 10 and then 100 times the weight of clearance.
-repair::RepairStrategy re_solve_mildly(const ReSolveContext& context);
+/// Returns the strategies that change the mapping least.
+///   an arm        while the path collides, it is solved again near its findings in the whole
+///                 scene, with 10 and then 100 times the weight of clearance
+///   a hand alone  the same with 100 and 10000 times the weight at 0.4 of the distance, then with
+///                 1000 times the weight at all of it; then, as fingers that are caught in each
+///                 other are freed by no small motion, again near its collisions, starting from
+///                 repair::bridge_collisions()
+std::vector<repair::RepairStrategy> first_re_solves(const ReSolveContext& context);
 
 /// Returns the strategy that solves the path again with up to three sets of weights, until it is
 /// free:

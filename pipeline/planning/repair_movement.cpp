@@ -30,8 +30,7 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
                                               const Plan& plan, const map::MapResult& mapped,
                                               std::uint64_t seed) {
   const PipelineConfig& config = planner.config;
-  map::MappingProblem whole = placed.problem;
-  whole.world = &world;
+  const map::MappingProblem whole = whole_problem(placed.problem, world);
   const auto findings_in = [&](const collision::CollisionWorld& tested, const JointPath& path) {
     return check::check_path(tested, plan.goals, plan.movement, path, config.check);
   };
@@ -51,8 +50,8 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
       "detour", [&](const CheckedPath& best) { return repair::detour(detours, best); }};
   std::vector<RepairStrategy> strategies{detour};
   if (config.repair.method == repair::Method::humanlike) {
-    detours.tracking_recovery = {re_solve_mildly(re_solving),
-                                 repair::only_if_nearly_free(re_solve_strongly(re_solving))};
+    detours.tracking_recovery = first_re_solves(re_solving);
+    detours.tracking_recovery.push_back(repair::only_if_nearly_free(re_solve_strongly(re_solving)));
     const RepairStrategy stop_if_dead_end{
         "look for an infeasible frame", [&](const CheckedPath& best) {
           const bool tips_count = config.map.mode != map::MapMode::joint_to_joint;
@@ -65,8 +64,7 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
         }};
     std::vector<RepairStrategy> re_solves_and_detour = detours.tracking_recovery;
     re_solves_and_detour.push_back(repair::detour_if_only_collisions(detours));
-    strategies = {
-        re_solve_mildly(re_solving),
+    const std::vector<RepairStrategy> later_strategies{
         stop_if_dead_end,
         re_solve_strongly(re_solving),
         repair::candidate_strategy("paths through collision-free postures",
@@ -82,10 +80,9 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
             check_with_margin,
             searched_candidates(whole, config.map, config.repair.mapping_searches, seed), tried),
     };
+    strategies = first_re_solves(re_solving);
+    strategies.insert(strategies.end(), later_strategies.begin(), later_strategies.end());
   }
-  const bool hand_alone = world.robot->arm_joints.empty();
-  if (hand_alone && config.repair.method == repair::Method::humanlike)
-    strategies.insert(strategies.begin(), re_solve_closely(re_solving));
   Outcome<repair::RepairResult> repaired = repair::repair_path(strategies, mapped_path);
   if (repaired.failure.reason == Reason::no_path) {
     repaired.failure.detail += "; " + repair::no_path_message(config.repair);

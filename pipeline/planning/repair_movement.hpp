@@ -13,8 +13,8 @@ collision::CollisionWorld with_extra_margin(collision::CollisionWorld world);
 
 /// Repairs the path of a plan with findings by strategies in order of increasing change. `world`
 /// has the whole scene; the strategies ask for kExtraMargin_m more clearance than is required.
-///   0. for a hand alone, the path is solved again with clearance that reaches less far
-///   1. the path is solved again with moderate weights
+///   1. the path is solved again with moderate weights; for a hand alone, whose clearance reaches
+///      less far in all strategies, then from bridges over its collisions
 ///   2. repair ends if an infeasible frame is found (not in joint-to-joint mapping)
 ///   3. the path is solved again with high weights
 ///   4. both re-solves for candidate paths through the feasible postures of step 2

@@ -4,6 +4,8 @@
 #include <initializer_list>
 
 #include "core/motion/outcome.hpp"
+#include "pipeline/planning/constants.hpp"
+#include "pipeline/planning/pipeline_config.hpp"
 #include "stages/retime/retime.hpp"
 
 namespace morphe::planning {
@@ -22,6 +24,15 @@ PlanningFailure retry_without_smoothing(retime::RetimeOptions options,
   }
   options.tip_tolerance = options.joint_tolerance = 0;
   return attempt(options);
+}
+
+/// Returns the config with paths farther from obstacles, which leaves room for smoothing.
+inline PipelineConfig farther_from_obstacles(PipelineConfig config) {
+  double& activation_m = config.map.clearance.activation_distance_m;
+  double& extra_m = config.repair.extra_clearance;
+  activation_m = std::max(activation_m, kFartherActivationDistance_m);
+  extra_m = std::max(extra_m, kFartherExtraClearance_m);
+  return config;
 }
 
 }  // namespace morphe::planning

@@ -8,6 +8,7 @@
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/planning/begin_plan.hpp"
+#include "pipeline/planning/plan_branch.hpp"
 #include "pipeline/planning/plan_requirements.hpp"
 #include "stages/verify/verify.hpp"
 
@@ -40,7 +41,10 @@ Plan verified(const PlanningInputs& planner, Plan plan) {
     return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config,
                                own.request ? &*own.request : nullptr);
   });
-  return violations.empty() ? plan : fail(std::move(plan), failure_of(violations));
+  if (violations.empty()) return plan;
+  Plan rejected = fail(std::move(plan), failure_of(violations));
+  rejected.branch = branch_of(planner.robot, rejected);
+  return rejected;
 }
 
 }  // namespace morphe::planning

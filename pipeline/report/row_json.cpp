@@ -57,6 +57,9 @@ Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path
                        {"tracking_tolerance", plan.tolerances.tracking_tolerance}};
   if (plan.tolerances.max_link_penetration)
     row["tolerances"]["max_link_penetration"] = *plan.tolerances.max_link_penetration;
+  store::JsonWriter branch;
+  store::lay_out_branch(branch, plan.branch);
+  row.update(branch.json);
   row["estimated"] = plan.goals.estimated;
   row["unchecked_links"] = robot.unchecked_links;
   row["flags"] = Json::array();

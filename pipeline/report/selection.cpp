@@ -24,13 +24,18 @@ struct RankingMeasure {
   double (*value)(const Plan&);
 };
 
-constexpr std::array<RankingMeasure, 7> kRankingMeasures{{
+constexpr std::array<RankingMeasure, 11> kRankingMeasures{{
     {"tip_error_max", [](const Plan& plan) { return plan.certificate.tip_error_max; }},
     {"tip_error_grasp", [](const Plan& plan) { return plan.certificate.tip_error_grasp; }},
     {"clearance", [](const Plan& plan) { return -plan.certificate.clearance; }},
     {"duration_ratio",
      [](const Plan& plan) { return std::abs(std::log(plan.certificate.duration_ratio)); }},
     {"upper_arm_error", [](const Plan& plan) { return plan.certificate.upper_arm_error_mean; }},
+    {"forearm_error", [](const Plan& plan) { return plan.certificate.forearm_error_mean; }},
+    {"swivel_error", [](const Plan& plan) { return plan.certificate.swivel_error_mean; }},
+    {"palm_error", [](const Plan& plan) { return plan.certificate.palm_error_mean; }},
+    {"wrist_speed_correlation",
+     [](const Plan& plan) { return -plan.certificate.wrist_speed_correlation; }},
     {"humanlikeness", [](const Plan& plan) { return plan.certificate.humanlikeness_final; }},
     {"unreachable_share", unreachable_share},
 }};

@@ -16,7 +16,8 @@ struct Selection {
 };
 
 /// Returns the measures by which plans can be ranked: tip_error_max, tip_error_grasp, clearance,
-/// duration_ratio, upper_arm_error, humanlikeness and unreachable_share.
+/// duration_ratio, upper_arm_error, forearm_error, swivel_error, palm_error,
+/// wrist_speed_correlation, humanlikeness and unreachable_share.
 std::vector<std::string> ranking_measure_names();
 
 /// The selected plans of a file.

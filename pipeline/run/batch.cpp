@@ -1,6 +1,7 @@
 #include "pipeline/run/batch.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,8 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
     if (plan.mapped.position.rows() > 0) ++summary.mapped;
     summary.frames += plan.mapped.position.rows();
     count_goals(plan, summary);
+    if (plan.branch.number)
+      ++summary.branches[fmt::format("{}", fmt::join(plan.branch.words, ", "))];
   }
   summary.stage_cpu_s = outcome.stage_cpu_s;
   return summary;
@@ -70,6 +73,7 @@ void add(const BatchSummary& more, BatchSummary& sum) {
   sum.frames += more.frames;
   sum.goals += more.goals;
   sum.out_of_reach += more.out_of_reach;
+  for (const auto& [branch, plans] : more.branches) sum.branches[branch] += plans;
   sum.reused += more.reused;
 }
 
@@ -159,7 +163,8 @@ std::string serialize_summary(const BatchSummary& s) {
                         {"mapped", s.mapped},
                         {"frames", s.frames},
                         {"goals", s.goals},
-                        {"out_of_reach", s.out_of_reach}}
+                        {"out_of_reach", s.out_of_reach},
+                        {"branches", s.branches}}
       .dump();
 }
 
@@ -180,6 +185,7 @@ BatchSummary deserialize_summary(const std::string& text) {
     s.frames = json.value("frames", std::int64_t{0});
     json.at("goals").get_to(s.goals);
     json.at("out_of_reach").get_to(s.out_of_reach);
+    s.branches = json.value("branches", s.branches);  // absent in journals of earlier versions
   } catch (const nlohmann::json::exception&) {
     throw InputError("is not a summary of a demonstration");
   }
@@ -199,6 +205,7 @@ std::string summary_json(const BatchSummary& summary) {
                                     {"frames", summary.frames},
                                     {"frames_per_cpu_second", frames_per_cpu_second(summary)},
                                     {"stage_ms_per_movement", stage_ms_per_movement(summary)},
+                                    {"branches", summary.branches},
                                     {"reused", summary.reused}};
   return json.dump(2);
 }

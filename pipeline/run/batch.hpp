@@ -29,6 +29,7 @@ struct BatchSummary {
   std::map<std::string, double> stage_cpu_s;  ///< processor time by stage
   std::int64_t mapped = 0, frames = 0;        ///< mapped movements, and their frames
   std::int64_t goals = 0, out_of_reach = 0;   ///< fingertip goals in all mapped frames
+  std::map<std::string, int> branches;        ///< words of branches, with the number of their plans
   int reused = 0;                             ///< demonstrations that an earlier run had finished
 };
 

@@ -84,7 +84,8 @@ cover::FitOptions fit_options(const Kinematics& robot, int frame, const std::vec
   const RobotModel& table = robot.table();
   if (hand && robot::moving_frame_of(table, frame) == robot::moving_frame_of(table, hand->root))
     return {budget.palm, kPalmStandoff_m};
-  if (hand && robot::is_in_subtree(table, frame, hand->root)) return {budget.finger};
+  if (hand && robot::is_in_subtree(table, frame, hand->root))
+    return {hand->gripper ? budget.jaw : budget.finger};
   const auto place = std::ranges::find(arm, frame) - arm.begin();
   const bool outer = place < std::ssize(arm) && 2 * place >= std::ssize(arm);
   return {outer ? budget.wrist : budget.arm};

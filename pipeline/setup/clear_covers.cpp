@@ -7,6 +7,7 @@
 #include <map>
 
 #include "core/collision/distance.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::setup {
@@ -81,7 +82,7 @@ void clear_covers(const Kinematics& robot, const LinkShapes& shapes, const LinkB
           {frame_from_other * t.a, frame_from_other * t.b, frame_from_other * t.c});
   };
   for (const LinkPair& pair : pairs) {
-    if (pair.rest_gap_m <= 0 || pair.first < 0) continue;
+    if (pair.rest_gap_m <= 0 || pair.first < 0 || pair.excused) continue;
     const LinkCapsules &one = *link_at(links, pair.first), &other = *link_at(links, pair.second);
     if (capsule_distance(one.capsules, robot.pose(pair.first), other.capsules,
                          robot.pose(pair.second)) >= sought_clearance_m(pair))
@@ -102,13 +103,16 @@ std::vector<std::string> pairs_to_check(const RobotModel& robot, const std::vect
   std::vector<Pose> poses;
   robot::forward_kinematics(robot, rest_position(robot), poses);
   std::vector<std::string> check, excused, assumed;
+  std::vector<LinkPair> never_touch;
   for (const LinkPair& pair : pairs) {
     const std::string names =
         fmt::format("[{}, {}]", name_of_frame(pair.first), name_of_frame(pair.second));
-    if (pair.excused) {
+    if (pair.least_gap_m > 0) {
+      never_touch.push_back(pair);
+    } else if (pair.excused) {
       (pair.assumed ? assumed : excused).push_back(names);
-      continue;
     }
+    if (pair.excused) continue;
     const double distance_m = capsule_distance(capsules[pair.first], pose_of(poses, pair.first),
                                                capsules[pair.second], pose_of(poses, pair.second));
     if (distance_m > 0) continue;
@@ -125,6 +129,14 @@ std::vector<std::string> pairs_to_check(const RobotModel& robot, const std::vect
   if (!excused.empty())
     check.push_back(fmt::format("not checked, because their shapes overlap as made: {}",
                                 fmt::join(excused, ", ")));
+  if (!never_touch.empty()) {
+    const LinkPair& nearest = *std::ranges::min_element(never_touch, {}, &LinkPair::least_gap_m);
+    check.push_back(fmt::format(
+        "not checked, because one joint moves the two and their shapes are proved never to touch "
+        "within its limits: {}, the nearest at least {} mm apart: [{}, {}]",
+        count_with_noun(never_touch.size(), "pair"), least_distance_text(nearest),
+        name_of_frame(nearest.first), name_of_frame(nearest.second)));
+  }
   if (!assumed.empty())
     check.push_back(
         fmt::format("not checked, because assumed capsules overlap in all postures, and the shapes "

@@ -7,7 +7,6 @@
 #include "core/math/statistics.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/robot/forward_kinematics.hpp"
-#include "pipeline/study/correlation.hpp"
 
 namespace morphe::study {
 namespace {
@@ -90,7 +89,7 @@ HandScores score_hand(const robot::Robot& robot, const HandPath& path, double pi
     }
     if (scores.pinches > 0) scores.pinch_median_m = math::quantile(pinch_errors, 0.5);
     if (!human_distances.empty())
-      scores.correlation = correlation(robot_distances, human_distances);
+      scores.correlation = math::correlation(robot_distances, human_distances);
   }
   for (Eigen::Index f = 1; f < path.q.rows(); ++f) {
     const double step = (path.q.row(f) - path.q.row(f - 1)).cwiseAbs().maxCoeff();

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/math/statistics.hpp"
 #include "core/robot/forward_kinematics.hpp"
-#include "pipeline/study/correlation.hpp"
 
 namespace morphe::study {
 namespace {
@@ -70,7 +70,7 @@ TimingScore score_timing(const RobotModel& robot, const Goals& goals, const Traj
       human_speeds.push_back(human_speed[f]);
     }
   }
-  score.correlation = correlation(robot_speeds, human_speeds);
+  score.correlation = math::correlation(robot_speeds, human_speeds);
   return score;
 }
 

@@ -10,8 +10,10 @@
 #include "core/motion/finding_text.hpp"
 #include "core/robot/joint_unit.hpp"
 #include "stages/certify/goal_errors.hpp"
+#include "stages/certify/posture_errors.hpp"
 #include "stages/certify/smoothness.hpp"
 #include "stages/certify/trajectory_motion.hpp"
+#include "stages/certify/wrist_speed.hpp"
 
 namespace morphe::certify {
 namespace {
@@ -132,6 +134,8 @@ Outcome<Certificate> certify(const collision::CollisionWorld& recorded_world, co
   c.tip_orientation_error_max = errors.orientation_max;
   c.upper_arm_error_max = errors.upper_arm_max;
   c.upper_arm_error_mean = errors.upper_arm_mean;
+  set_posture_errors(*world.robot, goals, trajectory, c);
+  c.wrist_speed_correlation = wrist_speed_correlation(*world.robot, goals, trajectory);
   std::string violation = tracking_violation(*world.robot, trajectory, errors);
   if (violation.empty()) {
     violation = tracking_violation(

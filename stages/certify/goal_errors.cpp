@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/humanlike/arm_posture.hpp"
 #include "core/humanlike/metrics.hpp"
 #include "core/math/quintic.hpp"
 #include "core/motion/goal_interpolation.hpp"
@@ -19,8 +20,6 @@ struct Mean {
   }
   double value() const { return count > 0 ? sum / count : kUnknown; }
 };
-
-double angle_of(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 /// Returns the distance of a tip from its goal at a demonstration time; NaN without a goal.
 double goal_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
@@ -75,7 +74,8 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
     const Vec3 human = elbow - interpolate_point(goals.shoulder_position, frame);
     if (!is_known(human)) continue;
     const Pose& shoulder = base_from_frame[robot.shoulder_frame];
-    const double angle = angle_of(human, centres.front() - shoulder.translation());
+    const double angle =
+        humanlike::direction_error(human, centres.front() - shoulder.translation());
     upper_arm.add(angle);
     out.upper_arm_max = std::fmax(out.upper_arm_max, angle);
   }

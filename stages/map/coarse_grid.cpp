@@ -22,7 +22,14 @@ std::vector<std::size_t> coarse_frames(const std::vector<double>& time, double s
 
 MappingProblem problem_at_frames(const MappingProblem& problem,
                                  const std::vector<std::size_t>& frames) {
-  MappingProblem part{problem.robot, problem.objective, problem.clearance, problem.world, {}, {}};
+  MappingProblem part{problem.robot,
+                      problem.objective,
+                      problem.clearance,
+                      problem.wrist_motion,
+                      problem.world,
+                      {},
+                      {},
+                      problem.reference};
   for (const std::size_t f : frames) {
     part.time.push_back(problem.time[f]);
     part.goals.push_back(problem.goals[f]);

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+
+#include "core/motion/geometry.hpp"
 
 /// Numbers that decide a result and are no options, chosen by hand unless a comment names a reason.
 namespace morphe::map {
@@ -15,8 +18,6 @@ inline constexpr int kMaxQuickRefinements = 10;   ///< evaluations from each of 
 inline constexpr int kRefinedPerKeptMinimum = 2;  ///< minima refined for each one that is kept
 /// Symmetries that are considered: together at most 2^8 equivalent postures.
 inline constexpr int kMaxFlips = 4, kMaxMultiTurnJoints = 4;
-/// Cosine below which two axes are orthogonal: far above rounding, far below any robot's offsets.
-inline constexpr double kOrthogonalityTolerance = 1e-6;
 /// Random postures at which a symmetry must preserve the objective, and the relative difference.
 inline constexpr int kSymmetryTestPostures = 3;
 inline constexpr double kSymmetryTolerance = 1e-6;
@@ -37,6 +38,27 @@ inline constexpr int kFullySmoothedCount = 2;
 inline constexpr double kComparisonToleranceFactor = 10, kFineToleranceFactor = 10;
 /// Divisor of the iterations over all frames, which start from the coarse grid; 2 remain at least.
 inline constexpr int kFineIterationsDivisor = 2;
+/// The person at rest: segments of an adult's arm and the tips of a hand that is about to grasp, in
+/// a right hand's frame: the means of the shipped recordings at their begin, rounded.
+inline constexpr double kRestUpperArm_m = 0.27, kRestForearm_m = 0.25;
+inline const Vec3 kRestThumbTip_m(0.02, 0.06, 0.10), kRestIndexTip_m(0.02, 0.01, 0.15);
+/// At rest the upper arm hangs and the forearm is raised by 46 degrees: from a level forearm the
+/// larger hand of a robot would begin below the table. For the reach the upper arm is 40 degrees
+/// forward and the forearm 17 degrees above level.
+inline constexpr double kRestForearmRise_rad = 0.8;
+inline constexpr double kReachUpperArm_rad = 0.7, kReachForearmRise_rad = 0.3;
+/// Steps in which the goals move from rest to a movement's first frame, and evaluations of each;
+/// the share of the cost of velocity with which a posture is held near the one before. With these
+/// the 15 recordings of two datasets and their variants of the last digits keep one branch.
+inline constexpr int kRestSteps = 12, kMaxRestEvaluations = 60;
+inline constexpr double kRestNearness = 0.03;
+inline constexpr std::size_t kRestBranches = 4;  ///< postures at rest that are continued
+inline constexpr double kSamePlace_m = 0.01;  ///< nearer links of two postures at rest are the same
+inline constexpr int kReferenceStarts = 128, kReferenceMinima = 8;
+inline constexpr std::uint64_t kReferenceSeed = 1;  ///< of these starts
+/// Cost of the differences of the wrist's offset between frames (path_problem.hpp): over a
+/// movement it changes by about a millimetre. Its bound is beyond any arm.
+inline constexpr double kOffsetStiffness_per_m2 = 1e6, kLargestWristOffset_m = 100;
 inline constexpr double kHoldWeight_per_rad2 = 1e6;  ///< holds a frame: exceeds all its terms
 inline constexpr double kReSolvedChange_rad = 1e-4;  ///< above it a frame counts as re-solved
 inline constexpr double kMetTolerance_m = 1e-3;  ///< tip error below which a frame's goal is met

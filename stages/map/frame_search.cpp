@@ -38,6 +38,29 @@ void add_if_new(const PostureSymmetries& symmetries, std::vector<solve::Minimum>
   }
 }
 
+/// Returns spread positions and those of the reference. With a reference, the fingers start as it
+/// does, those without a goal in their natural posture: other fingers would only find other ways
+/// around obstacles.
+std::vector<JointVector> starts_of(const MappingProblem& problem, std::size_t frame, int count,
+                                   std::uint64_t seed) {
+  const robot::Robot& robot = *problem.robot;
+  const std::vector<JointVector>& known = problem.reference.starts;
+  std::vector<JointVector> starts = spread_starts(robot, count, seed);
+  if (!known.empty() && !robot.arm_joints.empty()) {
+    for (JointVector& start : starts) {
+      JointVector with_arm = problem.reference.starts.front();
+      for (const int joint : robot.arm_joints) with_arm[joint] = start[joint];
+      start = with_arm;
+    }
+  }
+  starts.insert(starts.end(), known.begin(), known.end());
+  for (JointVector& start : starts) {
+    problem.objective.get<humanlike::NaturalPosture>().apply(problem.goals[frame], start);
+    start = start.cwiseMax(robot.lower).cwiseMin(robot.upper);
+  }
+  return starts;
+}
+
 void keep_best(std::vector<solve::Minimum>& minima, int count) {
   std::ranges::stable_sort(minima, {}, &solve::Minimum::value);
   if (std::ssize(minima) > count) minima.resize(count);
@@ -49,6 +72,25 @@ solve::Minimum solve_frame(const MappingProblem& problem, std::size_t frame,
                            const JointVector& start, const solve::MinimiseOptions& options,
                            MappingScratch& scratch) {
   return solve::minimise(make_bounded_problem(problem, frame, scratch), start, options);
+}
+
+solve::Minimum solve_frame_near(const MappingProblem& problem, std::size_t frame,
+                                const JointVector& start, const JointVector& weight,
+                                const solve::MinimiseOptions& options, MappingScratch& scratch) {
+  solve::BoundedProblem bounded = make_bounded_problem(problem, frame, scratch);
+  bounded.objective = [&, objective = bounded.objective](const JointVector& q,
+                                                         JointVector* gradient) {
+    const double value = objective(q, gradient);
+    if (gradient) *gradient += 2 * weight.cwiseProduct(q - start);
+    return value + weight.dot((q - start).cwiseAbs2());
+  };
+  bounded.model = [&, model_of = bounded.model](const JointVector& q, solve::Quadratic& model) {
+    model_of(q, model);
+    model.value += weight.dot((q - start).cwiseAbs2());
+    model.gradient += 2 * weight.cwiseProduct(q - start);
+    model.hessian.diagonal() += 2 * weight;
+  };
+  return solve::minimise(bounded, start, options);
 }
 
 solve::MinimiseOptions limit_evaluations(solve::MinimiseOptions options, int evaluations) {
@@ -74,10 +116,8 @@ std::vector<solve::Minimum> search_frame(const MappingProblem& problem, std::siz
                                          int starts, int keep, const SearchStages& descents,
                                          std::uint64_t seed, MappingScratch& scratch) {
   const PostureSymmetries symmetries = find_posture_symmetries(problem);
-  std::mt19937_64 random(seed);
   std::vector<solve::Minimum> found;
-  for (int i = 0; i < starts; ++i) {
-    const JointVector start = random_start(*problem.robot, random);
+  for (const JointVector& start : starts_of(problem, frame, starts, seed)) {
     add_if_new(symmetries, found, solve_frame(problem, frame, start, descents.first, scratch));
   }
   keep_best(found, kRefinedPerKeptMinimum * keep);

@@ -132,6 +132,7 @@ MappingProblem make_mapping_problem(const robot::Robot& robot, const Goals& goal
   problem.robot = &robot;
   problem.objective = make_objective(options, robot);
   problem.clearance = options.clearance;
+  problem.wrist_motion = options.mode == MapMode::humanlike ? options.wrist_motion : 0;
   problem.world = &world;
   problem.time = goals.time;
   for (int f = 0; f < std::ssize(goals.time); ++f) {

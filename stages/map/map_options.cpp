@@ -9,11 +9,11 @@
 namespace morphe::map {
 namespace {
 
-int joint_index(const RobotModel& robot, const std::string& name) {
+int joint_index(const RobotModel& robot, const std::string& name, const std::string& key) {
   for (int joint = 0; joint < std::ssize(robot.joint_names); ++joint) {
     if (robot.joint_names[joint] == name) return joint;
   }
-  throw InputError("map.natural_posture: robot " + robot.name + " has no actuated joint '" + name +
+  throw InputError("map." + key + ": robot " + robot.name + " has no actuated joint '" + name +
                    "'");
 }
 
@@ -70,8 +70,9 @@ humanlike::FrameObjective make_objective(const MapOptions& options, const RobotM
   objective.get<humanlike::HandOrientation>().smoothing_rad = options.orientation_smoothing;
   for (const NaturalJoint& natural : options.natural_posture) {
     humanlike::NaturalPosture::Joint entry;
-    entry.joint = joint_index(robot, natural.joint);
-    entry.follow = natural.follow.empty() ? -1 : joint_index(robot, natural.follow);
+    entry.joint = joint_index(robot, natural.joint, "natural_posture");
+    entry.follow =
+        natural.follow.empty() ? -1 : joint_index(robot, natural.follow, "natural_posture");
     entry.value = natural.value;
     for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
       const bool moves = robot::joint_moves_frame(robot, entry.joint, robot.tips[tip].frame);
@@ -81,6 +82,13 @@ humanlike::FrameObjective make_objective(const MapOptions& options, const RobotM
   }
   set_mode(options.mode, objective);
   return objective;
+}
+
+JointVector branch_posture(const MapOptions& options, const RobotModel& robot) {
+  JointVector posture = JointVector::Zero(robot.lower.size());
+  for (const NaturalJoint& listed : options.branch_posture)
+    posture[joint_index(robot, listed.joint, "branch_posture")] = listed.value;
+  return posture.cwiseMax(robot.lower).cwiseMin(robot.upper);
 }
 
 }  // namespace morphe::map

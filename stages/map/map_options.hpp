@@ -27,6 +27,16 @@ constexpr std::array<std::string_view, 4> names_of(MapMode) {
   return {"humanlike", "joint_to_joint", "inverse_kinematics", "fingertip_only"};
 }
 
+/// The rule that chooses one of the paths whose values differ by less than a share.
+///   nearest_home     nearest to the reference posture of the robot (reference_posture.hpp)
+///   best             the least value
+///   nearest_posture  nearest to a posture that the config states
+enum class BranchRule { nearest_home, best, nearest_posture };
+/// Returns the names of the rules in configurations.
+constexpr std::array<std::string_view, 3> names_of(BranchRule) {
+  return {"nearest_home", "best", "nearest_posture"};
+}
+
 /// The natural position of a joint while no goal determines it: q = value, or q_follow + value.
 struct NaturalJoint {
   std::string joint, follow;  ///< names of the joint and of the one that it follows, or ""
@@ -47,18 +57,21 @@ void fields(Fields& f, BaseOffset& o) {
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const BaseOffset& options);
 
-/// Returns the default weights. Humanlikeness, clearance and smoothness pull tips off their goals:
-/// with w_x = 1000 by up to 1.4 mm on the shipped recordings, with 20000 by at most 0.25 mm. Tips
-/// give way to collisions, because the weight of the clearance term is a tenth of w_x.
+/// Returns the default weights. Humanlikeness, clearance and smoothness pull tips off their goals,
+/// on the shipped recordings by at most 2 mm (tests/cli/test_run.py). Tips give way to
+/// collisions, because beyond their clearance these cost more than tips a little farther away. The
+/// weights of the palm, of the wrist's motion and of the clearance were chosen by hand on the
+/// shipped and twelve other recordings: a palm nearer to the
+/// person's costs duration and tips (CHANGELOG.md).
 inline humanlike::FrameObjective default_objective() {
   humanlike::FrameObjective o;
-  o.get<humanlike::TipPosition>().weight = 20000;
+  o.get<humanlike::TipPosition>().weight = 40000;
   o.get<humanlike::TipOrientation>().weight = 0.01;
   o.get<humanlike::PadDirection>().weight = 0.05;
-  o.get<humanlike::HandOrientation>().weight = 0.01;
+  o.get<humanlike::PalmDirection>().weight = 0.16;
   o.get<humanlike::JointDistance>().weight = 1;
   o.get<humanlike::FingerJointDistance>().weight = 0.1;
-  o.get<humanlike::NaturalPosture>().weight = 1e-3;
+  o.get<humanlike::NaturalPosture>().weight = 0.02;
   return o;
 }
 
@@ -72,12 +85,16 @@ struct MapOptions {
   std::vector<NaturalJoint> natural_posture;  ///< joints of fingers without a goal
   BaseOffset base_offset;
   ClearanceTerm clearance;
-  bool avoid_target = true;     ///< unseen fingers and the palm respect the target's contact depth
-  MovementCost movement_cost;   ///< added to the frames' objectives
-  int key_frames = 5;           ///< number of frames at which the global search starts
-  int starts = 24;              ///< random starts per key frame
-  int candidates = 4;           ///< distinct minima per key frame that are kept and tracked
-  double coarse_step_s = 0.05;  ///< step of the grid on which paths are tracked and compared
+  bool avoid_target = true;    ///< unseen fingers and the palm respect the target's contact depth
+  MovementCost movement_cost;  ///< added to the frames' objectives
+  double wrist_motion = 150;   ///< weight in PathProblem [1/m²]
+  BranchRule branch = BranchRule::nearest_home;
+  double branch_share = 0.05;                ///< by which a path may exceed the least value [-]
+  std::vector<NaturalJoint> branch_posture;  ///< of nearest_posture; joints not listed are at 0
+  int key_frames = 5;                        ///< number of frames at which the global search starts
+  int starts = 24;                           ///< spread starts per key frame
+  int candidates = 4;               ///< distinct minima per key frame that are kept and tracked
+  double coarse_step_s = 0.05;      ///< step of the grid on which paths are tracked and compared
   int reach_search_starts = 256;    ///< random starts before a goal is declared unreachable
   double reach_tolerance_m = 1e-4;  ///< error below which that search regards a goal as reached
   solve::MinimiseOptions frame_solver;
@@ -101,6 +118,10 @@ void fields(Fields& f, MapOptions& o) {
   f("clearance", o.clearance);
   f("avoid_target", o.avoid_target);
   f("movement_cost", o.movement_cost);
+  f("wrist_motion", o.wrist_motion);
+  f("branch", o.branch);
+  f("branch_share", o.branch_share);
+  f("branch_posture", o.branch_posture);
   f("key_frames", o.key_frames);
   f("starts", o.starts);
   f("candidates", o.candidates);
@@ -115,5 +136,9 @@ std::string validation_error(const MapOptions& options);
 
 /// Creates a robot's objective. Throws InputError if `natural_posture` names an unknown joint.
 humanlike::FrameObjective make_objective(const MapOptions& options, const RobotModel& robot);
+
+/// Returns the options' branch_posture [n], moved into the limits. Throws InputError if it names an
+/// unknown joint.
+JointVector branch_posture(const MapOptions& options, const RobotModel& robot);
 
 }  // namespace morphe::map

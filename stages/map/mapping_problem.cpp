@@ -1,6 +1,8 @@
 #include "stages/map/mapping_problem.hpp"
 
 #include <cassert>
+#include <numeric>
+#include <utility>
 
 namespace morphe::map {
 
@@ -23,22 +25,20 @@ double frame_objective(const MappingProblem& problem, std::size_t frame, const J
   return scratch.model.value;
 }
 
-solve::MovementProblem make_movement_problem(const MappingProblem& problem,
-                                             const MovementCost& cost,
-                                             std::vector<MappingScratch>& scratch) {
-  solve::MovementProblem movement;
-  movement.frames = problem.frames();
-  movement.lower = problem.robot->lower;
-  movement.upper = problem.robot->upper;
-  movement.difference_weight = difference_weights(*problem.robot, problem.time, cost);
-  scratch.assign(problem.frames(), {});
-  const double share = mean_step(problem.time) / kReferenceStep_s;
-  movement.frame_model = [&, share](std::size_t frame, const JointVector& q,
-                                    solve::Quadratic& model) {
-    add_frame_objective(problem, frame, q, scratch[frame], model, humanlike::Curvature::exact);
-    model.scale(share);
-  };
-  return movement;
+std::vector<JointVector> spread_starts(const RobotModel& robot, int count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<JointVector> starts(count, JointVector(robot.lower.size()));
+  std::vector<int> stratum(count);
+  for (Eigen::Index j = 0; j < robot.lower.size(); ++j) {
+    std::iota(stratum.begin(), stratum.end(), 0);
+    for (int k = count - 1; k > 0; --k)
+      std::swap(stratum[k], stratum[random() % static_cast<std::uint64_t>(k + 1)]);
+    for (int k = 0; k < count; ++k) {
+      const double share = (stratum[k] + 0.5) / count;
+      starts[k][j] = robot.lower[j] + share * (robot.upper[j] - robot.lower[j]);
+    }
+  }
+  return starts;
 }
 
 JointVector random_start(const RobotModel& robot, std::mt19937_64& random) {

@@ -10,7 +10,9 @@
 #include "stages/map/constants.hpp"
 #include "stages/map/frame_search.hpp"
 #include "stages/map/join_ik_branches.hpp"
+#include "stages/map/path_problem.hpp"
 #include "stages/map/posture_symmetries.hpp"
+#include "stages/map/rest_branch.hpp"
 #include "stages/map/rounded_problem.hpp"
 
 namespace morphe::map {
@@ -50,21 +52,19 @@ bool same_path(const PostureSymmetries& symmetries, const JointRows& a, const Jo
   return true;
 }
 
-CandidatePath minimise_path(const MappingProblem& problem, const JointRows& start,
-                            const MovementCost& cost, const solve::MovementOptions& options) {
-  std::vector<MappingScratch> scratch;
-  const solve::MovementMinimum found =
-      solve::minimise_movement(make_movement_problem(problem, cost, scratch), start, options);
-  return {found.q, found.value};
+CandidatePath smoothed(const MappingProblem& problem, const JointRows& start,
+                       const MovementCost& cost, const solve::MovementOptions& options) {
+  solve::MovementMinimum found = minimise_path(problem, start, cost, options);
+  return {std::move(found.q), found.value};
 }
 
 CandidatePath solve_coarse_to_fine(const MappingProblem& problem, const MappingProblem& coarse,
                                    const std::vector<std::size_t>& frames, const JointRows& start,
                                    const MapOptions& options) {
   const CandidatePath settled =
-      minimise_path(coarse, start, options.movement_cost, options.movement_solver);
-  return minimise_path(problem, interpolate(settled.q, frames), options.movement_cost,
-                       fine_grid_options(options.movement_solver));
+      smoothed(coarse, start, options.movement_cost, options.movement_solver);
+  return smoothed(problem, interpolate(settled.q, frames), options.movement_cost,
+                  fine_grid_options(options.movement_solver));
 }
 
 /// Returns true if a joint that differs among equivalent postures reaches its limit.
@@ -89,23 +89,11 @@ void add_if_new(const PostureSymmetries& symmetries, std::vector<CandidatePath>&
   paths.push_back(std::move(path));
 }
 
-}  // namespace
-
-CandidatePath smooth_movement(const MappingProblem& problem, const JointRows& start,
-                              const MapOptions& options) {
-  const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const RoundedProblem coarse(problem_at_frames(problem, frames));
-  return solve_coarse_to_fine(problem, coarse.problem, frames, rows_at(start, frames), options);
-}
-
-std::vector<CandidatePath> search_movement(const MappingProblem& problem, const MapOptions& options,
-                                           std::uint64_t seed) {
-  const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
-  const RoundedProblem rounded(problem_at_frames(problem, frames));
-  const MappingProblem& coarse = rounded.problem;
+/// Tracks minima of the key frames, each unless an equivalent of it is on a branch already.
+std::vector<IkBranch> track_key_frames(const MappingProblem& coarse,
+                                       const PostureSymmetries& symmetries,
+                                       const MapOptions& options, std::uint64_t seed) {
   MappingScratch scratch;
-
-  const PostureSymmetries symmetries = find_posture_symmetries(coarse);
   std::vector<IkBranch> branches;
   std::vector<bool> stopped;  // true if the branch meets a limit that an equivalent one may not
   const auto on_known_branch = [&](int key, const JointVector& q) {
@@ -133,21 +121,73 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
       }
     }
   }
-  const std::vector<JointRows> sequences = join_ik_branches(
-      branches, difference_weights(*problem.robot, coarse.time, options.movement_cost));
+  return branches;
+}
+
+/// Returns the paths that the branches of the key frames lead to, the least value first.
+std::vector<CandidatePath> search_coarse_paths(const MappingProblem& coarse,
+                                               const MapOptions& options, std::uint64_t seed) {
+  const PostureSymmetries symmetries = find_posture_symmetries(coarse);
+  const std::vector<JointRows> sequences =
+      join_ik_branches(track_key_frames(coarse, symmetries, options, seed),
+                       difference_weights(*coarse.robot, coarse.time, options.movement_cost));
   solve::MovementOptions screening = options.movement_solver, comparing = options.movement_solver;
   screening.max_iterations = std::min(screening.max_iterations, kScreeningIterations);
   comparing.relative_tolerance *= kComparisonToleranceFactor;
   std::vector<CandidatePath> paths;
   for (const JointRows& sequence : first_values(sequences, options.candidates)) {
-    add_if_new(symmetries, paths,
-               minimise_path(coarse, sequence, options.movement_cost, screening));
+    add_if_new(symmetries, paths, smoothed(coarse, sequence, options.movement_cost, screening));
   }
   sort_by_value(paths);
   for (CandidatePath& path : first_values(paths, kFullySmoothedCount)) {
-    path = minimise_path(coarse, path.q, options.movement_cost, comparing);
+    path = smoothed(coarse, path.q, options.movement_cost, comparing);
   }
+  for (CandidatePath& path : paths) path.q = preferred_equivalent(symmetries, path.q);
   sort_by_value(paths);
+  return paths;
+}
+
+/// Continues postures of the person at rest, the preferred one first, until a path is within the
+/// share of the best; it becomes the first one. If there is none, the branch is chosen among all,
+/// and flipped to the sides of the reference if that costs no more than the share.
+void put_preferred_first(const MappingProblem& coarse, const MapOptions& options,
+                         std::vector<CandidatePath>& paths) {
+  MappingScratch scratch;
+  double best = paths.front().value;
+  for (const JointVector& posture : first_values(coarse.reference.starts, kRestBranches)) {
+    const IkBranch branch = continue_from_rest(coarse, posture, options, scratch);
+    CandidatePath path = smoothed(coarse, branch.q, options.movement_cost, options.movement_solver);
+    best = std::min(best, path.value);
+    const bool good = path.value <= (1 + options.branch_share) * best;
+    paths.insert(good ? paths.begin() : paths.end(), std::move(path));
+    if (good) return;
+  }
+  std::ranges::swap(
+      paths.front(),
+      paths[choose_branch(*coarse.robot, paths, coarse.reference.posture, options.branch_share)]);
+  const JointRows flipped = preferred_equivalent(find_palm_symmetries(coarse), paths.front().q);
+  if (flipped == paths.front().q) return;
+  CandidatePath other = smoothed(coarse, flipped, options.movement_cost, options.movement_solver);
+  if (other.value <= (1 + options.branch_share) * best)
+    paths.insert(paths.begin(), std::move(other));
+}
+
+}  // namespace
+
+CandidatePath smooth_movement(const MappingProblem& problem, const JointRows& start,
+                              const MapOptions& options) {
+  const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
+  const RoundedProblem coarse(problem_at_frames(problem, frames));
+  return solve_coarse_to_fine(problem, coarse.problem, frames, rows_at(start, frames), options);
+}
+
+std::vector<CandidatePath> search_movement(const MappingProblem& problem, const MapOptions& options,
+                                           std::uint64_t seed) {
+  const std::vector<std::size_t> frames = coarse_frames(problem.time, options.coarse_step_s);
+  const RoundedProblem rounded(problem_at_frames(problem, frames));
+  const MappingProblem& coarse = rounded.problem;
+  std::vector<CandidatePath> paths = search_coarse_paths(coarse, options, seed);
+  put_preferred_first(coarse, options, paths);
   paths.front() = solve_coarse_to_fine(problem, coarse, frames, paths.front().q, options);
   for (int k = 1; k < std::ssize(paths); ++k) paths[k].q = interpolate(paths[k].q, frames);
   return paths;

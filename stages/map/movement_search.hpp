@@ -3,16 +3,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "stages/map/choose_branch.hpp"
 #include "stages/map/map_options.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {
-
-/// A continuous path through the whole movement.
-struct CandidatePath {
-  JointRows q;       ///< [F, n] joint positions
-  double value = 0;  ///< sum of the frames' objectives and of the movement cost
-};
 
 /// Smooths a path `start` [F, n]: minimises the sum of the frames' objectives and of the movement's
 /// cost inside the joint limits, first with rounded goals on the coarse grid, then over all frames.

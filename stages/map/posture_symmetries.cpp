@@ -5,9 +5,9 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "core/robot/forward_kinematics.hpp"
-#include "core/robot/tree.hpp"
 #include "stages/map/constants.hpp"
 
 namespace morphe::map {
@@ -16,66 +16,44 @@ namespace {
 using Eigen::Index;
 using std::numbers::pi;
 
-JointVector apply_flip(const PostureSymmetries::SphericalFlip& flip, JointVector q) {
-  q[flip.first] += pi;
-  q[flip.middle] = 2 * flip.parallel_rad - q[flip.middle];
-  q[flip.last] += pi;
-  return q;
-}
-
 /// Returns q and every combination of flips, q itself first, regardless of the limits.
 std::vector<JointVector> flip_combinations(const PostureSymmetries& symmetries,
                                            const JointVector& q) {
   std::vector<JointVector> combinations{q};
-  for (const PostureSymmetries::SphericalFlip& flip : symmetries.flips) {
+  for (const robot::SphericalFlip& flip : symmetries.flips) {
     for (std::ptrdiff_t k = 0, count = std::ssize(combinations); k < count; ++k) {
-      combinations.push_back(apply_flip(flip, combinations[k]));
+      combinations.push_back(robot::apply_flip(flip, combinations[k]));
     }
   }
   return combinations;
 }
 
-int previous_joint_frame(const RobotModel& robot, int frame) {
-  return robot::moving_frame_of(robot, robot.frames[frame].parent);
-}
-
-/// Returns a flip for all three consecutive hinges with the middle one orthogonal to both others.
-std::vector<PostureSymmetries::SphericalFlip> possible_flips(const RobotModel& robot) {
-  std::vector<Pose> base_from_frame;
-  robot::forward_kinematics(robot, JointVector::Zero(robot.lower.size()), base_from_frame);
-  const auto axis = [&](int frame) -> Vec3 {
-    return base_from_frame[frame].linear() * robot.frames[frame].axis;
-  };
-  std::vector<PostureSymmetries::SphericalFlip> flips;
-  for (int last = 0; last < std::ssize(robot.frames); ++last) {
-    const RobotModel::Frame& frame = robot.frames[last];
-    const int middle = frame.joint < 0 ? -1 : previous_joint_frame(robot, last);
-    const int first = middle < 0 ? -1 : previous_joint_frame(robot, middle);
-    if (first < 0) continue;
-    const Vec3 a = axis(first), b = axis(middle), c = axis(last);
-    if (std::abs(a.dot(b)) > kOrthogonalityTolerance ||
-        std::abs(c.dot(b)) > kOrthogonalityTolerance)
-      continue;
-    const RobotModel::Frame& hinge = robot.frames[middle];
-    const double angle = std::atan2(b.dot(c.cross(a)), c.dot(a));  // turns c to a about b
-    flips.push_back({robot.frames[first].joint, hinge.joint, frame.joint, angle / hinge.ratio});
-  }
-  return flips;
-}
-
-bool preserves_objective(const PostureSymmetries::SphericalFlip& flip,
-                         const MappingProblem& problem) {
+bool preserves_objective(const robot::SphericalFlip& flip, const MappingProblem& problem) {
   std::mt19937_64 random(1);
   MappingScratch scratch;
   for (int k = 0; k < kSymmetryTestPostures; ++k) {
     const JointVector q = random_start(*problem.robot, random);
     for (const std::size_t frame : {std::size_t{0}, problem.frames() / 2, problem.frames() - 1}) {
       const double original = frame_objective(problem, frame, q, scratch);
-      const double flipped = frame_objective(problem, frame, apply_flip(flip, q), scratch);
+      const double flipped = frame_objective(problem, frame, robot::apply_flip(flip, q), scratch);
       if (!(std::abs(flipped - original) <= kSymmetryTolerance * std::abs(original))) return false;
     }
   }
   return true;
+}
+
+/// The order in which equivalent postures or paths are preferred: fewest sides of flips that differ
+/// from the reference's, then the least distance to it.
+using Preference = std::pair<int, double>;
+
+Preference preference_of(const PostureSymmetries& symmetries, const JointRows& path) {
+  const JointVector& reference = symmetries.reference;
+  int other_sides = 0;
+  for (const robot::SphericalFlip& flip : symmetries.flips) {
+    const double side = (path.col(flip.middle).array() - flip.parallel_rad).sin().sum();
+    if (side * std::sin(reference[flip.middle] - flip.parallel_rad) < 0) ++other_sides;
+  }
+  return {other_sides, (path.rowwise() - reference.transpose()).squaredNorm()};
 }
 
 double limit_margin(const PostureSymmetries& symmetries, const JointVector& q) {
@@ -86,14 +64,22 @@ double limit_margin(const PostureSymmetries& symmetries, const JointVector& q) {
   return margin;
 }
 
-}  // namespace
+bool preserves_palm(const robot::SphericalFlip& flip, const RobotModel& robot) {
+  std::mt19937_64 random(1);
+  const JointVector q = random_start(robot, random);
+  std::vector<Pose> poses, flipped;
+  robot::forward_kinematics(robot, q, poses);
+  robot::forward_kinematics(robot, robot::apply_flip(flip, q), flipped);
+  return poses[robot.palm_frame].isApprox(flipped[robot.palm_frame], kSymmetryTolerance);
+}
 
-PostureSymmetries find_posture_symmetries(const MappingProblem& problem) {
+template <class Preserved>
+PostureSymmetries find_symmetries(const MappingProblem& problem, const Preserved& is_preserved) {
   const RobotModel& robot = *problem.robot;
-  PostureSymmetries symmetries{{}, {}, robot.lower, robot.upper};
-  for (const PostureSymmetries::SphericalFlip& flip : possible_flips(robot)) {
+  PostureSymmetries symmetries{{}, {}, robot.lower, robot.upper, problem.reference.posture};
+  for (const robot::SphericalFlip& flip : robot::possible_flips(robot)) {
     if (std::ssize(symmetries.flips) == kMaxFlips) break;
-    if (preserves_objective(flip, problem)) symmetries.flips.push_back(flip);
+    if (is_preserved(flip)) symmetries.flips.push_back(flip);
   }
   std::vector<Index>& multi_turn = symmetries.multi_turn_joints;
   for (Index j = 0; j < robot.lower.size() && std::ssize(multi_turn) < kMaxMultiTurnJoints; ++j) {
@@ -102,9 +88,23 @@ PostureSymmetries find_posture_symmetries(const MappingProblem& problem) {
   return symmetries;
 }
 
+}  // namespace
+
+PostureSymmetries find_posture_symmetries(const MappingProblem& problem) {
+  return find_symmetries(problem, [&](const robot::SphericalFlip& flip) {
+    return preserves_objective(flip, problem);
+  });
+}
+
+PostureSymmetries find_palm_symmetries(const MappingProblem& problem) {
+  return find_symmetries(problem, [&](const robot::SphericalFlip& flip) {
+    return preserves_palm(flip, *problem.robot);
+  });
+}
+
 std::vector<Index> symmetry_joints(const PostureSymmetries& symmetries) {
   std::vector<Index> joints = symmetries.multi_turn_joints;
-  for (const PostureSymmetries::SphericalFlip& flip : symmetries.flips) {
+  for (const robot::SphericalFlip& flip : symmetries.flips) {
     joints.insert(joints.end(), {flip.first, flip.middle, flip.last});
   }
   std::ranges::sort(joints);
@@ -151,9 +151,38 @@ std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries
       }
     }
   }
-  std::ranges::stable_sort(postures, std::greater{},
-                           [&](const JointVector& p) { return limit_margin(symmetries, p); });
+  std::ranges::stable_sort(postures, {}, [&](const JointVector& p) {
+    return symmetries.reference.size() > 0 ? preference_of(symmetries, p.transpose())
+                                           : Preference{0, -limit_margin(symmetries, p)};
+  });
   return postures;
+}
+
+JointRows preferred_equivalent(const PostureSymmetries& symmetries, const JointRows& path) {
+  if (symmetries.reference.size() == 0) return path;
+  const std::vector<Index> joints = symmetry_joints(symmetries);
+  JointRows preferred = path;
+  Preference least = preference_of(symmetries, path);
+  const std::size_t combinations = std::size_t{1} << symmetries.flips.size();
+  for (std::size_t k = 0; k < combinations; ++k) {
+    JointRows equivalent(path.rows(), path.cols());
+    for (Index f = 0; f < path.rows(); ++f)
+      equivalent.row(f) = flip_combinations(symmetries, path.row(f).transpose())[k].transpose();
+    for (const Index j : joints) {
+      auto column = equivalent.col(j).array();
+      column += 2 * pi * std::round((symmetries.reference[j] - column.mean()) / (2 * pi));
+      if (column.maxCoeff() > symmetries.upper[j]) column -= 2 * pi;
+      if (column.minCoeff() < symmetries.lower[j]) column += 2 * pi;
+    }
+    const bool inside =
+        (equivalent.colwise().minCoeff().transpose().array() >= symmetries.lower.array()).all() &&
+        (equivalent.colwise().maxCoeff().transpose().array() <= symmetries.upper.array()).all();
+    const Preference preference = preference_of(symmetries, equivalent);
+    if (!inside || preference >= least) continue;
+    least = preference;
+    preferred = std::move(equivalent);
+  }
+  return preferred;
 }
 
 }  // namespace morphe::map

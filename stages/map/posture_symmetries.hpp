@@ -2,30 +2,29 @@
 
 #include <vector>
 
+#include "core/robot/spherical_flips.hpp"
 #include "stages/map/mapping_problem.hpp"
 
 namespace morphe::map {
 
 /// The symmetries of the robot's postures: equivalent postures have the same objective. There are
-/// two kinds. A flip exists if the axes of three consecutive joints meet as in a shoulder (the
-/// middle one is orthogonal to both others and can make them parallel):
-///   (q_first, q_middle, q_last) ~ (q_first + π, 2 parallel - q_middle, q_last + π).
-/// A whole turn exists for every joint whose range allows it. A search needs only one of equivalent
-/// postures, unless a limit stops the path from it. At most kMaxFlips flips and kMaxMultiTurnJoints
-/// joints are included.
+/// two kinds: a flip (core/robot/spherical_flips.hpp) exists if the axes of three consecutive
+/// joints meet as in a shoulder; a whole turn exists for every joint whose range allows it. A
+/// search needs only one of equivalent postures, unless a limit stops the path from it. At most
+/// kMaxFlips flips and kMaxMultiTurnJoints joints are included.
 struct PostureSymmetries {
-  /// Three consecutive joints with two sets of positions that move all later links alike.
-  struct SphericalFlip {
-    int first, middle, last;
-    double parallel_rad;  ///< position of the middle joint at which the outer axes are parallel
-  };
-  std::vector<SphericalFlip> flips;             ///< flips that preserve the objective
+  std::vector<robot::SphericalFlip> flips;      ///< flips that preserve the objective
   std::vector<Eigen::Index> multi_turn_joints;  ///< joints with a range of more than a whole turn
   JointVector lower, upper;                     ///< [n] limits of the robot
+  JointVector reference;  ///< [n] posture to which equivalent ones are near, or empty
 };
 
 /// Returns the symmetries of the robot that preserve the objective at a few postures and frames.
 PostureSymmetries find_posture_symmetries(const MappingProblem& problem);
+
+/// Returns the flips that leave the palm where it is, whole turns as above. Links between may then
+/// be elsewhere, so that the objective of a collision differs.
+PostureSymmetries find_palm_symmetries(const MappingProblem& problem);
 
 /// Returns the joints in which equivalent postures differ.
 std::vector<Eigen::Index> symmetry_joints(const PostureSymmetries& symmetries);
@@ -34,8 +33,14 @@ std::vector<Eigen::Index> symmetry_joints(const PostureSymmetries& symmetries);
 bool same_up_to_symmetry(const PostureSymmetries& symmetries, const JointVector& a,
                          const JointVector& b, double tolerance);
 
-/// Returns q and its equivalent postures within the limits, those farthest from the limits first.
+/// Returns q and its equivalent postures within the limits: those nearest to the reference first,
+/// or, without one, those farthest from the limits.
 std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries,
                                              const JointVector& q);
+
+/// Returns the equivalent of a path [F, n], within the limits in all frames, whose flips have the
+/// sides of the reference or, with the same number of them, that is nearest to it; the path itself
+/// if there is no reference.
+JointRows preferred_equivalent(const PostureSymmetries& symmetries, const JointRows& path);
 
 }  // namespace morphe::map

@@ -5,6 +5,7 @@
 
 #include "stages/map/coarse_grid.hpp"
 #include "stages/map/constants.hpp"
+#include "stages/map/path_problem.hpp"
 
 namespace morphe::map {
 namespace {
@@ -35,15 +36,16 @@ std::vector<Window> windows_around(const std::vector<Finding>& findings,
 /// Returns the solution at `frames`, of which those outside the window are held. The solve starts
 /// from the path plus `change` [frames, n] inside the window; without rows it is zero.
 JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
-                       const Window& window, const JointRows& path, const JointRows& change,
-                       const MovementCost& cost, const solve::MovementOptions& options) {
-  const JointRows before = rows_at(path, frames);
+                       const Window& window, const JointRows& path, const Vec3& offset,
+                       const JointRows& change, const MovementCost& cost,
+                       const solve::MovementOptions& options) {
   const MappingProblem part = problem_at_frames(problem, frames);
+  const PathProblem of_part(part, cost);
+  const JointRows before = of_part.with_offset(rows_at(path, frames), offset);
   const auto moves = [&](std::ptrdiff_t frame) {
     return frame >= window.first && frame < window.end;
   };
-  std::vector<MappingScratch> scratch;
-  solve::MovementProblem movement = make_movement_problem(part, cost, scratch);
+  solve::MovementProblem movement = of_part.movement;
   const auto objective_model = movement.frame_model;
   movement.frame_model = [&](std::size_t k, const JointVector& q, solve::Quadratic& model) {
     objective_model(k, q, model);
@@ -55,13 +57,14 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
   };
   JointRows start = before;
   for (int k = 0; k < std::ssize(frames) && change.rows() > 0; ++k) {
-    if (moves(frames[k])) start.row(k) += change.row(k);
+    if (moves(frames[k])) start.row(k).head(change.cols()) += change.row(k);
   }
-  return solve::minimise_movement(movement, start, options).q;
+  return of_part.joints(solve::minimise_movement(movement, start, options).q);
 }
 
 JointPath re_solve_windows(const MappingProblem& problem, const JointPath& path,
                            const std::vector<Window>& windows, const MapOptions& options) {
+  const Vec3 offset = mean_wrist_offset(problem, path.position);
   JointPath resolved = path;
   for (const Window& window : windows) {
     const auto begin = std::max<std::ptrdiff_t>(0, window.first - kHeldFrames);
@@ -73,8 +76,8 @@ JointPath re_solve_windows(const MappingProblem& problem, const JointPath& path,
     for (std::size_t& frame : coarse) frame += begin;
     const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
                            const solve::MovementOptions& solver) {
-      return solve_window(problem, frames, window, path.position, change, options.movement_cost,
-                          solver);
+      return solve_window(problem, frames, window, path.position, offset, change,
+                          options.movement_cost, solver);
     };
     const JointRows change =
         solve(coarse, {}, options.movement_solver) - rows_at(path.position, coarse);

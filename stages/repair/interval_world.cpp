@@ -49,8 +49,8 @@ PaddedWorld padded_world(const collision::CollisionWorld& world, double extra_m)
   const auto within_hand = [&](const std::array<int, 2>& pair) {
     return in_hand(*world.robot, pair[0]) && in_hand(*world.robot, pair[1]);
   };
-  std::erase_if(padded.environment.pairs, within_hand);
-  std::erase_if(padded.hand.pairs, [&](const auto& pair) { return !within_hand(pair); });
+  padded.environment.pairs.erase_if(within_hand);
+  padded.hand.pairs.erase_if([&](const auto& pair) { return !within_hand(pair); });
   return padded;
 }
 

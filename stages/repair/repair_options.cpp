@@ -2,6 +2,12 @@
 
 namespace morphe::repair {
 
+std::string validation_error(const TempoOptions& options) {
+  if (!(options.max_duration_ratio >= 1)) return "max_duration_ratio must be at least 1";
+  if (!(options.max_tip_error_ratio >= 1)) return "max_tip_error_ratio must be at least 1";
+  return "";
+}
+
 std::string validation_error(const RepairOptions& options) {
   if (options.attempts < 0) return "attempts must not be negative";
   if (options.max_iterations < 1) return "max_iterations must be at least 1";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,20 @@ namespace morphe::repair {
 /// The repair method; the baseline `rrt_connect` plans all joints at once, with shortcuts only.
 enum class Method { humanlike, rrt_connect };
 constexpr std::array<std::string_view, 2> names_of(Method) { return {"humanlike", "rrt_connect"}; }
+
+/// The person's tempo, which a path is made to keep at the expense of its goals (planning's
+/// keep_tempo()).
+struct TempoOptions {
+  double max_duration_ratio = 1.5;   ///< longest duration, over the person's
+  double max_tip_error_ratio = 1.3;  ///< largest mean error of the tips, over that of the path
+};
+template <class Fields>
+void fields(Fields& f, TempoOptions& o) {
+  f("max_duration_ratio", o.max_duration_ratio);
+  f("max_tip_error_ratio", o.max_tip_error_ratio);
+}
+/// Returns an error sentence, or "" if the options are valid.
+std::string validation_error(const TempoOptions& options);
 
 /// The options of repair.
 struct RepairOptions {
@@ -23,6 +38,7 @@ struct RepairOptions {
   int pull_back_attempts = 200;    ///< number of windows pulled towards the original path
   int mapping_searches = 3;        ///< number of searches for candidate paths of the whole movement
   double extra_clearance = 0.005;  ///< clearance in addition to the margin during planning [m]
+  std::optional<TempoOptions> tempo;
 };
 template <class Fields>
 void fields(Fields& f, RepairOptions& o) {
@@ -35,6 +51,7 @@ void fields(Fields& f, RepairOptions& o) {
   f("pull_back_attempts", o.pull_back_attempts);
   f("mapping_searches", o.mapping_searches);
   f("extra_clearance", o.extra_clearance);
+  f("tempo", o.tempo);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const RepairOptions& options);

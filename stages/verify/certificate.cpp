@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "stages/verify/goal_errors.hpp"
+#include "stages/verify/posture_errors.hpp"
 #include "stages/verify/smoothness.hpp"
 
 namespace morphe::verify {
@@ -57,6 +58,13 @@ constexpr Attribute kAttributes[] = {
     {"tip_orientation_error_max", &Certificate::tip_orientation_error_max},
     {"upper_arm_error_mean", &Certificate::upper_arm_error_mean},
     {"upper_arm_error_max", &Certificate::upper_arm_error_max},
+    {"forearm_error_mean", &Certificate::forearm_error_mean},
+    {"forearm_error_max", &Certificate::forearm_error_max},
+    {"swivel_error_mean", &Certificate::swivel_error_mean},
+    {"swivel_error_max", &Certificate::swivel_error_max},
+    {"palm_error_mean", &Certificate::palm_error_mean},
+    {"palm_error_max", &Certificate::palm_error_max},
+    {"wrist_speed_correlation", &Certificate::wrist_speed_correlation},
     {"duration_ratio", &Certificate::duration_ratio},
     {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
     {"humanlikeness_final", &Certificate::humanlikeness_final},
@@ -89,6 +97,7 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
   const std::vector<double>& clock = plan.trajectory.demonstration_time;
   if (clock.back() > clock.front())
     own.duration_ratio = plan.trajectory.time.back() / (clock.back() - clock.front());
+  recompute_posture(robot, plan, curve, own);
   const Speeds speeds = mean_speeds(robot, plan.goals, curve);
   own.sparc_robot = sparc(speeds.robot, speeds.step_s);
   own.sparc_human = sparc(speeds.human, speeds.step_s);

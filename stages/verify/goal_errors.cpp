@@ -23,13 +23,6 @@ struct ErrorStatistics {
   double mean() const { return count > 0 ? total / count : kUnknown; }
 };
 
-Eigen::Vector4d slerp(const Eigen::Vector4d& from, Eigen::Vector4d to, double share) {
-  if (from.dot(to) < 0) to = -to;
-  const double angle = 2 * std::asin(std::min(1.0, (from - to).norm() / 2));
-  if (angle < 1e-12) return from;
-  return (std::sin((1 - share) * angle) * from + std::sin(share * angle) * to).normalized();
-}
-
 std::optional<Eigen::Vector4d> orientation_goal(const Goals& goals, int tip,
                                                 const GoalInterpolation& mix) {
   if (goals.tip_orientation.rows == 0) return std::nullopt;
@@ -81,6 +74,13 @@ GoalErrors goal_errors(const RobotModel& robot, const Plan& plan) {
   }
   return {position.largest,  position.mean(),  grasp.largest,       orientation.largest,
           upper_arm.largest, upper_arm.mean(), humanlikeness.mean()};
+}
+
+Eigen::Vector4d slerp(const Eigen::Vector4d& from, Eigen::Vector4d to, double share) {
+  if (from.dot(to) < 0) to = -to;
+  const double angle = 2 * std::asin(std::min(1.0, (from - to).norm() / 2));
+  if (angle < 1e-12) return from;
+  return (std::sin((1 - share) * angle) * from + std::sin(share * angle) * to).normalized();
 }
 
 double rotation_angle(const Pose& pose, const Eigen::Vector4d& goal) {

@@ -18,6 +18,9 @@ struct GoalErrors {
 /// Computes the errors of the plan's trajectory.
 GoalErrors goal_errors(const RobotModel& robot, const Plan& plan);
 
+/// Interpolates unit quaternions (x, y, z, w) along the shorter way: `share` of it, from 0 to 1.
+Eigen::Vector4d slerp(const Eigen::Vector4d& from, Eigen::Vector4d to, double share);
+
 /// Returns the angle of the rotation between a pose's and a unit quaternion (x, y, z, w) [rad]:
 /// 4 asin(|difference of the quaternions| / 2), with the sign that makes the difference smaller.
 double rotation_angle(const Pose& pose, const Eigen::Vector4d& goal);

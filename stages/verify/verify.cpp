@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "stages/verify/approach_retreat.hpp"
+#include "stages/verify/branch.hpp"
 #include "stages/verify/certificate.hpp"
 #include "stages/verify/contact.hpp"
 #include "stages/verify/goals.hpp"
@@ -69,6 +70,7 @@ std::vector<Violation> verify_trajectory_and_contents(const RobotModel& robot,
   verify_goals(robot, plan, violations);
   verify_scene(robot, plan, violations);
   verify_mapping(robot, plan, violations);
+  verify_branch(robot, plan, violations);
   verify_path(robot, plan, violations);
   verify_grasp(robot, plan, config, violations);
   if (request) verify_requirements(plan, *request, violations);

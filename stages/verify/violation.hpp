@@ -32,6 +32,7 @@ namespace morphe::verify {
 /// phase        phase, or trajectory     see stages/verify/phases.hpp
 /// scene        object, or dataset       see stages/verify/scene.hpp
 /// mapped       dataset of mapped/       stored value; recomputed value (mapping.hpp)
+/// branch       shoulder, elbow, wrist   as stored; as recomputed (branch.hpp)
 /// path         dataset of path/         see stages/verify/path.hpp
 /// approach_retreat  property            see stages/verify/approach_retreat.hpp
 /// config       attribute, or a sentence stored value; value requested by the file's config

@@ -55,7 +55,10 @@ std::string unit_of(const RobotModel& robot, const Violation& violation) {
   static const std::vector<UnitOf> subject_units = {
       {"m", {"max_tip_error", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp"}},
       {"s", {"max_goal_gap_s"}},
-      {"rad", {"tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max"}},
+      {"rad",
+       {"tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max",
+        "forearm_error_mean", "forearm_error_max", "swivel_error_mean", "swivel_error_max",
+        "palm_error_mean", "palm_error_max"}},
       {"m^2", {"humanlikeness_mapped", "humanlikeness_final"}}};
   const auto joint = joint_units.find(violation.cause);
   if (joint != joint_units.end())

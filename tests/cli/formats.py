@@ -25,7 +25,9 @@ PLAN_ATTRIBUTES = ("status reason detail subject task hand begin_s end_s target 
                    "tracking_tolerance_grasp tracking_tolerance").split()
 CERTIFICATE = ("joint_limit_margin velocity_ratio acceleration_ratio jerk_ratio clearance "
                "tip_error_max tip_error_mean tip_error_grasp tip_orientation_error_max "
-               "upper_arm_error_mean upper_arm_error_max duration_ratio humanlikeness_mapped "
+               "upper_arm_error_mean upper_arm_error_max forearm_error_mean forearm_error_max "
+               "swivel_error_mean swivel_error_max palm_error_mean palm_error_max "
+               "wrist_speed_correlation duration_ratio humanlikeness_mapped "
                "humanlikeness_final sparc_robot sparc_human log_dimensionless_jerk_robot "
                "log_dimensionless_jerk_human repaired").split()
 PLAN = {

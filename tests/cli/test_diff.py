@@ -123,9 +123,47 @@ class Diff(FewCase):
         self.assertEqual([[rows[name][side]["arm_estimated"] for side in ("first", "second")]
                           for name in marks], [[False, True], [False, False]])
         listed = morphe("list", self.other).stdout
-        for name, count in (("synthetic_000001/000", 2), ("synthetic_000002/000", 0)):
+        for name, count in (("synthetic_000001/000", 4), ("synthetic_000002/000", 0)):
             row = re.search(rf"\n{name} .*", listed)[0]
             self.assertEqual(len(re.findall(r" ~\d", row)), count, row)
+
+    def test_a_branch_in_words(self):
+        name = "synthetic_000002/000"
+        with h5py.File(self.plain / "plans.h5") as file:
+            words = list(file["plans"][name]["branch_words"].asstr()[()])
+        part, value = words[0].split(" ")
+        opposite = {"left": "right", "right": "left"}[value]
+        def change(file):
+            plan = file["plans"][name]
+            attributes = dict(plan["branch_words"].attrs)
+            del plan["branch_words"]
+            plan["branch_words"] = np.array([f"{part} {opposite}", *words[1:], "W2 wound up by +1 turn"], dtype="S")
+            plan["branch_words"].attrs.update(attributes)
+            plan.attrs["branch"] = plan.attrs["branch"] ^ 1
+        self.edit(change)
+        said = f"shoulder {value} -> {opposite}, now W2 wound up by +1 turn"
+        self.assertRegex(self.diff().stdout,
+                         rf"\n1 plan in another branch:\n  {name}: {re.escape(said)}; palm \S+ -> \S+ degrees\n")
+        report = json.loads(self.diff("--json").stdout)
+        self.assertEqual(report["branch_changes"], [{"plan": name, "change": said}])
+        row, = [row for row in report["rows"] if row["plan"] == name]
+        self.assertEqual(row["first"]["branch_words"], words)
+        self.assertEqual(row["second"]["branch"], row["first"]["branch"] ^ 1)
+        self.assertRegex(self.succeeds("list", self.other).stdout, rf"\n  1 in shoulder {opposite}, .*: {name}\n")
+
+    def test_a_file_of_an_earlier_version_has_its_branches_computed(self):
+        def change(file):
+            for plan in (plan for movements in file["plans"].values() for plan in movements.values()):
+                for key in ("branch_words", "branch_changes"):
+                    if key in plan:
+                        del plan[key]
+                if "branch" in plan.attrs:
+                    del plan.attrs["branch"]
+        self.edit(change)
+        report = json.loads(self.diff("--json").stdout)
+        self.assertEqual(report["branch_changes"], [])
+        self.assertEqual([row["first"]["branch"] for row in report["rows"]],
+                         [row["second"]["branch"] for row in report["rows"]])
 
     def test_plans_that_are_no_longer_executable(self):
         """A limit that no plan keeps: each is named with its reason."""

@@ -46,6 +46,35 @@ class Explain(support.CommandCase):
                              if marked else r"humanlikeness A \d\.\d{4} m\^2[,\n]")
             self.assertEqual("~" in story, marked, story)
 
+    def test_the_posture_of_a_plan_with_a_trajectory(self):
+        """What is driven is the certificate's; what the wrist and the tips need is never more."""
+        manifest = support.write_two_recordings(self.folder)
+        self.succeeds("run", support.REFERENCE, "--dataset", manifest, "--out", self.folder / "near", *support.QUICK)
+        with h5py.File(self.folder / "near/plans.h5") as file:
+            names = [f"{name}/{movement}" for name in file["plans"] for movement in file["plans"][name]]
+            certificates = {name: dict(file["plans"][name]["certificate"].attrs) for name in names}
+        judged = 0
+        for name in names:
+            if "executable" not in (text := self.succeeds("explain", self.folder / "near", name).stdout):
+                continue
+            for words in ("\n  posture ", "upper arm", "forearm", "swivel angle", "palm", "wrist speed r", "\n  wrist "):
+                self.assertIn(words, text)
+            posture = self.json_of("explain", self.folder / "near", name)["plans"][0]["posture"]
+            self.assertTrue(posture["elbow_circle"])
+            for figure in ("upper_arm", "forearm", "swivel", "palm"):
+                self.assertEqual(posture[figure]["driven"], certificates[name][f"{figure}_error_mean"])
+                self.assertLessEqual(posture[figure]["least"], posture[figure]["driven"] + 0.02)
+            self.assertLessEqual(posture["palm_of_fingers"], posture["palm"]["least"])
+            offset = posture["wrist_offset"]
+            self.assertGreater(offset["rms"], offset["after_shift"])
+            self.assertGreaterEqual(offset["after_shift"], offset["after_scale"])
+            # PA10 (docs of configs/robots/pa10.yaml).
+            self.assertAlmostEqual(offset["upper_arm"], 0.45, 6)
+            self.assertAlmostEqual(offset["forearm"], 0.48, 6)
+            judged += 1
+        self.assertGreater(judged, 0)
+        self.assertIsNone(self.json_of("explain", self.run_folder)["plans"][0]["posture"])
+
     def test_courses_of_repair_are_stored(self):
         with h5py.File(self.run_folder / "plans.h5") as file:
             plans = [plan for name in file["plans"] for plan in file["plans"][name].values()

@@ -215,7 +215,8 @@ class ReportPage(unittest.TestCase):
             for plan, *titles in shown:
                 certificate = file["plans"][plan]["certificate"].attrs
                 said = dict(title.split(" = ") for title in titles if " = " in title)
-                for key in ("clearance", "duration_ratio", "tip_error_max", "upper_arm_error_mean", "humanlikeness_final"):
+                for key in ("clearance", "duration_ratio", "tip_error_max", "upper_arm_error_mean", "humanlikeness_final",
+                            "forearm_error_mean", "swivel_error_mean", "palm_error_mean", "wrist_speed_correlation"):
                     self.assertEqual(float(said[key].split()[0]), certificate[key], key)
 
     def test_figures_against_an_estimated_arm_are_marked(self):
@@ -231,7 +232,7 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(len(marked), 5)
         for plan, titles in marked:
             self.assertEqual(sorted(title.split(" = ")[0].split(".")[-1] for title in titles),
-                             ["humanlikeness_final", "upper_arm_error_mean"] if plan == name else [], plan)
+                             ["forearm_error_mean", "humanlikeness_final", "swivel_error_mean", "upper_arm_error_mean"] if plan == name else [], plan)
 
     def test_filters_sort_and_search(self):
         self.open(self.fr3 / "report.html")

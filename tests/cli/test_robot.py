@@ -46,7 +46,8 @@ class Shipped(CommandCase):
             found = self.json_of("robot", file, "--self-collision", 500)
             self.assertEqual(found["samples"], 500)
             self.assertEqual(found["always"], [], file)
-            self.assertGreater(len(found["never"]) + len(found["sometimes"]), 0)
+            if file.stem != "robotiq_2f85":  # all of whose pairs are excused, by proof
+                self.assertGreater(len(found["never"]) + len(found["sometimes"]), 0, file)
             self.assertEqual(found, self.json_of("robot", file, "--self-collision", 500))
         text = self.succeeds("robot", ROBOTS / "wam.yaml", "--self-collision", 500).stdout
         self.assertTrue(re.match(r"\d+ pairs of capsules in 500 positions: 0 always overlap, ", text))

@@ -124,7 +124,7 @@ class RobotInputs(CommandCase):
             self.put(f"meshes/l{k}.stl", triangles(0.1))
         urdf = self.put("arm.urdf", arm(lambda k: f"meshes/l{k}.stl"))
         seen = Terminal("robot", "setup", urdf, "--capsules", 1, "--out", self.folder / "seen.yaml")
-        self.assertEqual(seen.end()[0], 0, seen.seen)
+        self.assertEqual(seen.end(300)[0], 0, seen.seen)
         self.assertIn("covering link 2 of 6: l2", seen.seen)
         self.assertNotIn("covering", "\n".join(seen.lines()))
         self.assertNotIn("covering", self.set_up(urdf))

@@ -38,7 +38,7 @@ class ShippedSample(unittest.TestCase):
         summary = json.loads(self.printed)
         self.assertEqual(list(summary), ["demonstrations", "movements", "executable", "approximate",
                                          "infeasible", "repaired", "failed", "reasons", "stage_cpu_s", "frames",
-                                         "frames_per_cpu_second", "stage_ms_per_movement", "reused"])
+                                         "frames_per_cpu_second", "stage_ms_per_movement", "branches", "reused"])
         self.assertEqual(summary["demonstrations"], len(DEMONSTRATIONS))
         self.assertEqual(summary["movements"], len(self.plans))
         self.assertEqual(summary["executable"], len(self.moving()))
@@ -63,14 +63,14 @@ class ShippedSample(unittest.TestCase):
                     self.assertLessEqual(plan["certificate"].attrs["tip_error_grasp"], 0.005)
                     self.assertIn("grasp", plan)
 
-    def test_mapping_meets_reachable_goals_within_a_millimetre(self):
+    def test_mapping_meets_reachable_goals_within_two_millimetres(self):
         for plan in self.plans:
             error, reachable = plan["mapped/tip_error"][()], plan["goals/reachable"][()]
             with self.subTest(plan.name):
                 goal = ~np.isnan(plan["goals/tip_position"][()]).any(axis=2)
                 self.assertTrue(np.array_equal(goal, ~np.isnan(error)))
                 self.assertGreater((goal & (reachable == 1)).sum(), 0)
-                self.assertLess(error[goal & (reachable == 1)].max(), 1e-3)
+                self.assertLess(error[goal & (reachable == 1)].max(), 2e-3)
 
     def test_mapping_does_not_jump(self):
         for plan in self.plans:

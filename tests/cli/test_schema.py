@@ -204,7 +204,7 @@ class Schemas(CommandCase):
         schema = json.loads(self.succeeds("schema", "config").stdout)
         starts = schema["properties"]["map"]["properties"]["starts"]
         self.assertEqual((starts["default"], starts["minimum"]), (24, 1))
-        self.assertIn("random starts", starts["description"])
+        self.assertIn("starts at each key frame", starts["description"])
         self.assertNotIn("`", json.dumps(schema))
 
     def commands(self, kind, file):

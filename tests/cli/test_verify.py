@@ -117,6 +117,17 @@ class Damaged(CommandCase):
                 self.assertEqual({row["cause"] for row in rows}, {"certificate"})
                 self.assertEqual({row["subject"] for row in rows} - {"repaired"}, changed[name])
 
+    def test_a_file_of_an_earlier_version_is_read_without_the_figures_that_it_lacks(self):
+        lacking = {f"{name}_error_{end}" for name in ("forearm", "swivel", "palm") for end in ("mean", "max")}
+        lacking.add("wrist_speed_correlation")
+        with h5py.File(self.copy, "r+") as file:
+            for figure in lacking:
+                del file["plans"][PLAN]["certificate"].attrs[figure]
+        self.succeeds("list", self.copy)
+        self.assertNotIn("swivel angle", self.succeeds("explain", self.copy, PLAN).stdout)
+        rows = json.loads(json_verify(self.copy).stdout)["violations"]
+        self.assertEqual({(row["cause"], row["subject"]) for row in rows}, {("certificate", name) for name in lacking})
+
     def test_an_infeasible_plan_with_a_trajectory(self):
         with h5py.File(self.copy, "r+") as file:
             plan = file["plans"][PLAN]

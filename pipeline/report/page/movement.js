@@ -89,8 +89,14 @@ function titleOf(row) {
 
 const flagsOf = (row) => row.flags.map((flag) => build("p", {}, build("b", {}, "flag "), plainText(flag)));
 
+// The branch of the arm, which files of earlier versions and hands without an arm lack.
+function branchOf({ branch_words: words = [], branch_changes: changes = [] }) {
+  if (words.length === 0) return [];
+  return [build("p", {}, build("b", {}, "branch "), plainText([words.join(", "), ...changes].join("; ")))];
+}
+
 function reasonOf(plan, row) {
-  const flags = flagsOf(row);
+  const flags = [...branchOf(row), ...flagsOf(row)];
   if (row.status !== "infeasible")
     return row.detail ? [build("p", {}, plainText(row.detail)), ...flags] : flags;
   const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),

@@ -130,7 +130,7 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
   movement.phases = {{PhaseKind::grasp, 0.3, 0.6, 1}};
   int free = 0, colliding = 0, undecided = 0;
   for (int k = 0; k < 300; ++k) {
-    const robot::Robot robot(random_robot(random));
+    const robot::Robot robot(k % 5 ? random_robot(random) : random_robot_of_clusters(random));
     const Scene scene = random_scene(random);
     const CollisionWorld world = make_world(robot, scene, movement, {});
     JointVector from = random_position(random, 8, 2);

@@ -152,7 +152,7 @@ TEST(FclAgreementOfCapsules, Verdict) {
     pair.add(random.capsule(0.2), false);
     pair.add(random.capsule(0.2), false);
     CollisionWorld& world = pair.make(random.uniform(0, 0.01), 0);
-    world.pairs = {{0, 1}};  // both of the base: no pair by themselves
+    world.pairs = {*world.robot, {{0, 1}}};  // both of the base: no pair by themselves
     const double slack = least_slack(world, q, 0, scratch).slack();
     if (std::abs(slack) < 1e-6) continue;
     EXPECT_EQ(FclEngine(world).is_free(q, 0, scratch), slack >= 0) << k << " slack " << slack;

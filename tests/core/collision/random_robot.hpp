@@ -55,6 +55,27 @@ inline RobotModel random_robot(RandomBodies& random) {
   return robot;
 }
 
+/// The same with a palm of 25 capsules, a link of 11 in each finger, and one capsule more in the
+/// base: several clusters of a frame, whose capsules are not next to each other in the list.
+inline RobotModel random_robot_of_clusters(RandomBodies& random) {
+  RobotModel robot = random_robot(random);
+  const auto add = [&](int capsule, int count) {
+    for (int k = 0; k < count; ++k) {
+      RobotModel::Capsule copy = robot.capsules[static_cast<std::size_t>(capsule)];
+      copy.name = "part" + std::to_string(robot.capsules.size());
+      for (Vec3* end : {&copy.from, &copy.to}) *end += 0.04 * random.direction();
+      copy.radius *= 0.5;
+      robot.capsules.push_back(copy);
+    }
+  };
+  for (int k = 0; k < 2; ++k) {
+    add(5, 12);
+    add(6 + 3 * k, 10);
+  }
+  add(0, 1);
+  return robot;
+}
+
 inline JointVector random_position(RandomBodies& random, Eigen::Index joints, double reach) {
   JointVector q(joints);
   for (double& value : q) value = random.uniform(-reach, reach);

@@ -1,3 +1,4 @@
+#include "core/collision/constants.hpp"
 #include "core/collision/fcl_engine.hpp"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,33 @@ TEST(MakeWorld, LeavesOutAllowedAndRigidPairs) {
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 64u);
   stiff.capsules[1].frame = -1;
   EXPECT_EQ(make_world(robot::Robot(stiff), {}, {}, {}).pairs.size(), 63u);
+}
+
+TEST(CapsulePairs, ClustersContainTheirCapsulesAndPartnersAllPairs) {
+  RandomBodies random(35);
+  const robot::Robot robot(random_robot_of_clusters(random));
+  const CapsulePairs pairs = make_world(robot, {}, {}, {}).pairs;
+  std::size_t largest = 0;
+  for (const CapsuleCluster& cluster : pairs.clusters()) {
+    largest = std::max(largest, cluster.capsules.size());
+    for (const int i : cluster.capsules) {
+      const RobotModel::Capsule& capsule = robot.capsules[static_cast<std::size_t>(i)];
+      EXPECT_EQ(capsule.frame, cluster.frame);
+      for (const Vec3& end : {capsule.from, capsule.to}) {
+        const Vec3 from_centre = end - cluster.centre;
+        EXPECT_LE(from_centre.norm() + capsule.radius, cluster.radius);
+        EXPECT_TRUE(
+            (from_centre.array().abs() + capsule.radius <= cluster.half_size.array()).all());
+      }
+    }
+  }
+  EXPECT_LE(largest, static_cast<std::size_t>(kMaxClusterCapsules));
+  EXPECT_GT(pairs.clusters().size(), 15u);  // of 12 frames with the base
+  for (const auto& [i, j] : pairs) {
+    EXPECT_TRUE(pairs.contains(i, j));
+    const auto& cluster = pairs.clusters()[static_cast<std::size_t>(pairs.cluster_of(i))];
+    EXPECT_TRUE(std::ranges::binary_search(cluster.partners, pairs.cluster_of(j)));
+  }
 }
 
 TEST(MakeWorld, TouchingLastsFromPreshapeToRelease) {
@@ -106,9 +134,11 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
   CollisionScratch scratch;
   std::vector<PairSeparation> near;
   for (int k = 0; k < 300; ++k) {
-    const robot::Robot robot(random_robot(random));
+    const robot::Robot robot(k % 2 ? random_robot_of_clusters(random) : random_robot(random));
     const Scene scene = random_scene(random);
-    const CollisionWorld world = make_world(robot, scene, grasping(), {});
+    CollisionWorld world = make_world(robot, scene, grasping(), {});
+    if (k % 4 == 3)
+      world.pairs.erase_if([](const auto& pair) { return (pair[0] + pair[1]) % 3 == 0; });
     const JointVector q = random_position(random, 8, 2);
     const double time_s = random.uniform(0, 1);
     const PairSeparation least = least_slack(world, q, time_s, scratch);

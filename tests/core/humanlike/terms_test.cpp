@@ -187,6 +187,35 @@ TEST_F(Terms, FingerJointDistance) {
   set_every_goal();
   expect_gradient(FingerJointDistance{1});
 }
+TEST_F(Terms, PalmDirection) {
+  set_every_goal();
+  expect_gradient(PalmDirection{0.15});
+  FrameObjective objective;
+  objective.get<TipPosition>().weight = 1000;
+  objective.get<PalmDirection>().weight = 0.15;
+  expect_exact_hessian(objective);
+}
+
+TEST_F(Terms, PalmDirectionIsTheChordsOfTwoAxes) {
+  set_every_goal();
+  std::mt19937_64 random(5);
+  const JointVector q = random_position(robot, random);
+  std::vector<Pose> poses;
+  robot::forward_kinematics(robot, q, poses);
+  const Quat palm(poses[robot.palm_frame].linear());
+  const double angle = 0.7;
+  const auto turned = [&](const Vec3& axis) { return Quat(Eigen::AngleAxisd(angle, axis)) * palm; };
+  const double chord = 4 * std::pow(std::sin(angle / 2), 2);
+  goal.hand = palm;
+  EXPECT_NEAR(value(PalmDirection{1}, q), 0, 1e-12);
+  goal.hand = turned(palm * Vec3::UnitX());  // both axes turn
+  EXPECT_NEAR(value(PalmDirection{1}, q), 2 * chord, 1e-12);
+  goal.hand = turned(palm * Vec3::UnitZ());  // the pointing axis stays
+  EXPECT_NEAR(value(PalmDirection{1}, q), chord, 1e-12);
+  goal.hand = Quat(Eigen::AngleAxisd(std::numbers::pi, palm * Vec3::UnitX())) * palm;
+  EXPECT_NEAR(value(PalmDirection{1}, q), 8, 1e-12);  // the largest value
+}
+
 TEST_F(Terms, HandOrientation) {
   goal.hand = Quat(0.3, -0.5, 0.2, 0.8).normalized();
   expect_gradient(HandOrientation{0.01});

@@ -60,5 +60,13 @@ TEST(Statistics, MeanLeavesOutWhatIsNotANumber) {
   EXPECT_TRUE(std::isnan(mean({kUnknown})));
 }
 
+TEST(Statistics, CorrelationInClosedForm) {
+  // Of 0, 1, 2, 3 and their squares: 15 / sqrt(5 · 49).
+  EXPECT_NEAR(correlation({0, 1, 2, 3}, {0, 1, 4, 9}), 15 / std::sqrt(245.0), 1e-15);
+  EXPECT_NEAR(correlation({1, 2, 4}, {-2, -4, -8}), -1, 1e-15);
+  EXPECT_TRUE(std::isnan(correlation({1}, {2})));
+  EXPECT_TRUE(std::isnan(correlation({1, 1, 1}, {1, 2, 3})));
+}
+
 }  // namespace
 }  // namespace morphe::math

@@ -73,7 +73,9 @@ QUALITY = ["friction_coefficient", "torsional_friction", "mass", "centre_of_mass
            "epsilon_lower", "epsilon_upper", "required_force_worst", "required_force_gravity", "available_force"]
 CERTIFICATE = ["joint_limit_margin", "velocity_ratio", "acceleration_ratio", "jerk_ratio", "clearance",
                "tip_error_max", "tip_error_mean", "tip_error_grasp",
-               "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "natural_posture_error", "duration_ratio",
+               "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max",
+               "forearm_error_mean", "forearm_error_max", "swivel_error_mean", "swivel_error_max", "palm_error_mean",
+               "palm_error_max", "wrist_speed_correlation", "natural_posture_error", "duration_ratio",
                "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human",
                "log_dimensionless_jerk_robot", "log_dimensionless_jerk_human", "repaired"]
 
@@ -128,7 +130,7 @@ with h5py.File(sys.argv[1]) as file:
     assert list(file["plans"]) == ["zz"] and list(file["plans/zz"]) == ["000", "001"]
     full, bare = file["plans/zz/000"], file["plans/zz/001"]
     for plan in (full, bare):
-        attributes(plan, PLAN_ATTRIBUTES + (["max_link_penetration"] if plan is full else []))
+        attributes(plan, PLAN_ATTRIBUTES + (["max_link_penetration", "branch"] if plan is full else []))
         attributes(plan["certificate"], CERTIFICATE)
         attributes(plan["goals"], ["common_base_offset"])
         assert text(plan["mapped/status"].attrs["meaning"]) == \
@@ -152,6 +154,7 @@ with h5py.File(sys.argv[1]) as file:
         "grasp/palm_pose_in_object": ((4, 4), "f", "m", "object"),
         "grasp/tips_in_object": ((2, 3), "f", "m", "object"),
         "certificate/unchecked_links": ((1,), "S", "", None),
+        "branch_words": ((2,), "S", "", None), "branch_changes": ((1,), "S", "", None),
         "grasp/grasp_posture": ((3,), "f", "rad or m", None),
         "grasp/pregrasp_posture": ((3,), "f", "rad or m", None),
         "goals/tip_to_pad_share": ((4, 2), "f", "1", None),
@@ -173,6 +176,8 @@ with h5py.File(sys.argv[1]) as file:
     assert np.isnan(full["certificate"].attrs["tip_orientation_error_max"])
     assert text(full["trajectory/phase"].attrs["meaning"]) == PHASES
     assert list(full["trajectory/phase"]) == [1, 2, 3, 4, 5, 6]
+    assert full.attrs["branch"] == 3
+    assert list(full["branch_words"].asstr()) == ["shoulder left", "elbow negative"]
     assert list(full["path/origin"]) == [2, 1, 0, 0, 2]
     assert list(full["findings/cause"].asstr()) == ["object_collision", "joint_limit"]
     assert list(full["repair/name"].asstr()) == ["detour", "attempt 1"] and list(full["repair/accepted"]) == [1, 0]

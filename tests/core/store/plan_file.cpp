@@ -113,6 +113,13 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(tip_orientation_error_max);
   EXPECT_SAME(upper_arm_error_mean);
   EXPECT_SAME(upper_arm_error_max);
+  EXPECT_SAME(forearm_error_mean);
+  EXPECT_SAME(forearm_error_max);
+  EXPECT_SAME(swivel_error_mean);
+  EXPECT_SAME(swivel_error_max);
+  EXPECT_SAME(palm_error_mean);
+  EXPECT_SAME(palm_error_max);
+  EXPECT_SAME(wrist_speed_correlation);
   EXPECT_SAME(duration_ratio);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
@@ -192,6 +199,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(mapped.tip_orientation_error);
   EXPECT_SAME(mapped.objective);
   EXPECT_SAME(mapped.humanlikeness);
+  EXPECT_EQ(a.branch, b.branch);
   EXPECT_SAME(mapped.status);
   EXPECT_SAME(mapped.natural_posture_error);
   EXPECT_SAME(repaired);

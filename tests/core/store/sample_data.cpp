@@ -249,6 +249,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.tip_orientation_error = number.rows(4, 2);
   plan.mapped.objective = number.many(4);
   plan.mapped.humanlikeness = number.rows(4, 3);
+  plan.branch = {3, {"shoulder left", "elbow negative"}, {"elbow positive -> negative at 0.51 s"}};
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
   plan.flags = flags();
@@ -283,6 +284,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.retreat = trajectory(number, 3);
   plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
                       number(), kUnknown, number(), number(), number(), number(), number(),
+                      number(), number(), number(), number(), number(), number(), number(),
                       number(), number(), number(), number(), {"fixed"}};
   plan.mapped.natural_posture_error = number();
   plan.repaired = true;

@@ -41,7 +41,7 @@ PlaceOptions small() {
 const ProgressCallback kSilent = [](const std::string&, int, int) {};
 
 Candidate at(const Known& known, const BasePlacement& stand) {
-  return evaluate_placement(known.planner(), stand, {&known.trials.front()}, {10, 3, 8}, 1);
+  return evaluate_placement(known.planner(), stand, {&known.trials.front()}, {10, 3, 24}, 1);
 }
 
 TEST(Place, TheKnownPlaceMeetsEverything) {
@@ -50,7 +50,8 @@ TEST(Place, TheKnownPlaceMeetsEverything) {
   EXPECT_EQ(truth.measures.out_of_reach, 0);
   EXPECT_LT(truth.measures.tip_error_m, 1e-3);
   EXPECT_EQ(truth.measures.collision_share, 0);
-  EXPECT_LT(truth.measures.upper_arm_error, 1 * kRadPerDegree);
+  EXPECT_LT(truth.measures.upper_arm_error, 10 * kRadPerDegree)
+      << "the cost of motion turns the elbow about the line from shoulder to wrist";
   EXPECT_LT(truth.measures.palm_error, 15 * kRadPerDegree) << "five tips ask nothing of the palm";
   const ReachabilityGrid reach(known.robot, 1);
   EXPECT_EQ(reach.share_out_of_reach(known.trials.front(), {}), 0);

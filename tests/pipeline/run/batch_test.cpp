@@ -53,6 +53,21 @@ TEST(Batch, OneBrokenDemonstrationDoesNotStopTheOthers) {
   EXPECT_EQ(summary.reasons.at("smoothing_collision"), 6);
 }
 
+TEST(Batch, CountsThePlansOfEachBranch) {
+  DemonstrationOutcome outcome;
+  for (const char* word : {"elbow up", "elbow down", "elbow up", ""}) {
+    Plan& plan = outcome.plans.emplace_back();
+    if (*word != 0) plan.branch = {0, {word, "wrist flipped"}, {"elbow up -> down at 0.50 s"}};
+  }
+  BatchSummary summary = summary_of(outcome);
+  const std::map<std::string, int> once{{"elbow down, wrist flipped", 1},
+                                        {"elbow up, wrist flipped", 2}};
+  EXPECT_EQ(summary.branches, once);
+  EXPECT_EQ(deserialize_summary(serialize_summary(summary)).branches, once);
+  add(summary_of(outcome), summary);
+  EXPECT_EQ(summary.branches.at("elbow up, wrist flipped"), 4);
+}
+
 TEST(Batch, CountsFramesForEachSecondOfACore) {
   DemonstrationOutcome outcome;
   for (const int frames : {120, 0, 80}) {  // the second was never mapped

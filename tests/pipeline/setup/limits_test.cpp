@@ -110,7 +110,7 @@ TEST(Checks, AreKeptWithTheRobotUntilSomebodyDeletesThem) {
   SetupRequest request;
   request.urdf = robot::write_text("made.urdf", arm_with(limit(0, 0, 0)));
   request.out = robot::robot_folder() / "made.yaml";
-  request.budget = {1, 1, 1, 1};
+  request.budget = {1, 1, 1, 1, 1};
   const SetupResult made = make_description(request, std::nullopt);
   const robot::RobotDescription robot = robot::parse_robot(made.text, request.out);
   EXPECT_EQ(robot.checks, made.to_check);

@@ -95,7 +95,7 @@ struct MadeHand {
 inline MadeHand set_up_parts(const std::string& urdf, SetupRequest request = {}) {
   request.urdf = robot::write_text("made.urdf", urdf);
   request.out = robot::robot_folder() / "made.yaml";
-  request.budget = {1, 1, 1, 1};
+  request.budget = {1, 1, 1, 1, 1};
   MadeHand made{make_description(request, std::nullopt), {}};
   made.description = robot::parse_robot(made.result.text, request.out);
   return made;

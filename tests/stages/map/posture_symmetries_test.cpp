@@ -107,6 +107,52 @@ TEST(Twins, TheFarthestFromTheLimitsFirst) {
   EXPECT_TRUE(same_up_to_symmetry(twins, first, q, 1e-6));
 }
 
+TEST(Twins, ThoseOfTheReferencesSidesFirst) {
+  const TwinBench bench("pa10_dlr_hit2");
+  PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  const std::vector<JointVector> all = equivalent_postures(twins, bench.posture);
+  for (const JointVector& reference : all) {
+    twins.reference = reference;
+    for (const JointVector& q : all)
+      EXPECT_LT((equivalent_postures(twins, q).front() - reference).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(PreferredEquivalent, HasTheSidesOfTheReferenceAndTheSamePlaces) {
+  const TwinBench bench("pa10_dlr_hit2");
+  PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  twins.reference = bench.posture;
+  JointRows path(3, bench.posture.size());
+  for (Eigen::Index f = 0; f < 3; ++f) {
+    path.row(f) = bench.posture.transpose();
+    path(f, 3) += 0.1 * static_cast<double>(f);
+  }
+  for (std::size_t flip = 0; flip < twins.flips.size(); ++flip) {
+    JointRows flipped = path;
+    for (Eigen::Index f = 0; f < 3; ++f)
+      flipped.row(f) = robot::apply_flip(twins.flips[flip], path.row(f).transpose()).transpose();
+    EXPECT_LT((preferred_equivalent(twins, flipped) - path).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(PreferredEquivalent, StaysWithinTheLimits) {
+  const TwinBench bench("pa10_dlr_hit2");
+  PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  const robot::SphericalFlip& shoulder = twins.flips.front();
+  twins.reference = robot::apply_flip(shoulder, bench.posture);
+  twins.upper[shoulder.middle] = twins.lower[shoulder.middle] = bench.posture[shoulder.middle];
+  const JointRows path = bench.posture.transpose().replicate(2, 1);
+  EXPECT_EQ(preferred_equivalent(twins, path), path);  // the flip would leave the limits
+}
+
+TEST(PalmSymmetries, AreFoundWhereLinksBetweenCount) {
+  TwinBench bench("pa10_dlr_hit2");
+  bench.problem.objective.get<humanlike::NaturalPosture>().weight = 1;
+  bench.problem.objective.get<humanlike::NaturalPosture>().joints.push_back({1, -1, 0.1, {}});
+  EXPECT_LT(find_posture_symmetries(bench.problem).flips.size(), 3u);
+  EXPECT_EQ(find_palm_symmetries(bench.problem).flips.size(), 3u);
+}
+
 TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
   TwinBench bench("pa10_dlr_hit2");
   for (Eigen::Index j = 0; j < 7; ++j) {

@@ -47,6 +47,20 @@ Plan jerk_between_samples() {
   return plan;
 }
 
+TEST(VerifyPlan, ABranchIsThatOfTheTrajectory) {
+  RobotModel robot = planar::robot();
+  robot.palm_frame = 3;  // the distal link, beyond shoulder, elbow and proximal joint
+  Plan plan = planar::plan();
+  plan.branch.number = 0;  // the elbow is bent by 0.5 to 0.9 rad
+  EXPECT_TRUE(of("branch", verify(plan, robot)).empty());
+  plan.branch.number = 2;
+  const std::vector<Violation> found = of("branch", verify(plan, robot));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].subject, "elbow");
+  EXPECT_EQ(found[0].value, 1);
+  EXPECT_EQ(found[0].limit, 0);
+}
+
 TEST(VerifyPlan, AcceptsAValidPlan) {
   for (const Violation& v : verify(planar::plan()))
     ADD_FAILURE() << v.sample << " " << v.cause << " " << v.subject << " " << v.value << " "
