@@ -9,7 +9,7 @@
 
 namespace morphe::explain {
 
-/// How far the driven wrist is from the place at which both links would have the person's
+/// The distance of the driven wrist from the place at which both links would have the person's
 /// directions, over the samples (humanlike::wrist_offset), and how much of it two changes would
 /// remove, one after the other, without regard to reach, joint limits and obstacles.
 struct WristOffset {
@@ -21,7 +21,7 @@ struct WristOffset {
   double after_scale = kUnknown;  ///< RMS that remains after both changes [m]
 };
 
-/// What a figure of posture is due to, by the rule of docs/steps/explain.md: `small` below 6
+/// The cause of a figure of posture, by the rule of docs/steps/explain.md: `small` below 6
 /// degrees; of the wrist's offset, `placement` what a shift of the base removes, `size` what links
 /// of another size remove of the rest, `wrist_path` what remains; of the palm's angle, `robot_hand`
 /// what the fingers force, `placement_or_size` what the arm forces; `weights_or_solver`: what the

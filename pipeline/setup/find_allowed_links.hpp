@@ -9,8 +9,8 @@
 
 namespace morphe::setup {
 
-/// How two bodies stand to each other as made: with all joints at rest, and in the postures of the
-/// joints between them.
+/// A pair of bodies as made: with all joints at rest, and in the postures of the joints between
+/// them.
 struct LinkPair {
   int first = -1, second = -1;  ///< frames; -1 is the base
   double rest_depth_m = 0;      ///< by which the bodies overlap at rest

@@ -10,7 +10,7 @@
 
 namespace morphe::setup {
 
-/// What a link really is, in its frame: its meshes and primitives, not what is laid around them.
+/// The real shape of a link, in its frame: its meshes and primitives, not what is laid around them.
 struct LinkBody {
   collision::MeshBody mesh;
   std::vector<cover::Triangle> triangles;

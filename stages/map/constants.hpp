@@ -48,8 +48,7 @@ inline const Vec3 kRestThumbTip_m(0.02, 0.06, 0.10), kRestIndexTip_m(0.02, 0.01,
 inline constexpr double kRestForearmRise_rad = 0.8;
 inline constexpr double kReachUpperArm_rad = 0.7, kReachForearmRise_rad = 0.3;
 /// Steps in which the goals move from rest to a movement's first frame, and evaluations of each;
-/// the share of the cost of velocity with which a posture is held near the one before. With these
-/// the 15 recordings of two datasets and their variants of the last digits keep one branch.
+/// the share of the cost of velocity with which a posture is held near the one before.
 inline constexpr int kRestSteps = 12, kMaxRestEvaluations = 60;
 inline constexpr double kRestNearness = 0.03;
 inline constexpr std::size_t kRestBranches = 4;  ///< postures at rest that are continued

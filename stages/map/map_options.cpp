@@ -43,8 +43,8 @@ std::string validation_error(const BaseOffset& o) {
 }
 
 std::string validation_error(const MapOptions& o) {
-  double lowest =
-      std::min({o.movement_cost.velocity, o.movement_cost.acceleration, o.movement_cost.jerk});
+  double lowest = std::min({o.movement_cost.velocity, o.movement_cost.acceleration,
+                            o.movement_cost.jerk, o.wrist_motion});
   o.objective.for_each_term([&](const auto& term) { lowest = std::min(lowest, term.weight); });
   if (lowest < 0) return "weights must not be negative";
   const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
@@ -52,6 +52,7 @@ std::string validation_error(const MapOptions& o) {
     return "thumb_full_distance must not be negative, and less than thumb_zero_distance";
   }
   if (const auto error = validation_error(o.phases); !error.empty()) return "phases: " + error;
+  if (o.branch_share < 0) return "branch_share must not be negative";
   if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
   if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
   if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {

@@ -71,6 +71,12 @@ TEST(MapOptions, RefusesWhatMakesNoSense) {
   options = {};
   options.objective.get<humanlike::TriangleArea>().weight = -1;
   EXPECT_THAT(validation_error(options), HasSubstr("negative"));
+  options = {};
+  options.branch_share = -0.1;
+  EXPECT_THAT(validation_error(options), HasSubstr("branch_share must not be negative"));
+  options = {};
+  options.wrist_motion = -1;
+  EXPECT_THAT(validation_error(options), HasSubstr("weights must not be negative"));
   EXPECT_THAT(validation_error(BaseOffset{-0.1, 1}), HasSubstr("negative"));
   EXPECT_THAT(validation_error(BaseOffset{0.1, kUnknown}), HasSubstr("negative"));
 }

@@ -78,7 +78,7 @@ TEST(WristMotion, Gradient) {
     };
     value(variables);
     const JointVector gradient = model.gradient;
-    constexpr double kStep = 1e-6;
+    constexpr double kStep = 1e-6;  // [rad] or [m]
     for (Index j = 0; j < variables.size(); ++j) {
       JointVector ahead = variables, behind = variables;
       ahead[j] += kStep;
