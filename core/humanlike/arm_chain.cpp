@@ -16,4 +16,10 @@ ArmChain arm_chain(const robot::Robot& robot, const std::vector<Pose>& base_from
   return arm;
 }
 
+ArmWrist arm_wrist(const robot::Robot& robot, const std::vector<Pose>& base_from_frame) {
+  const ArmChain arm = arm_chain(robot, base_from_frame);
+  if (arm.joints.size() > 2) return {arm.joints.back(), arm.frames.back()};
+  return {base_from_frame[robot.palm_frame].translation(), robot.palm_frame};
+}
+
 }  // namespace morphe::humanlike

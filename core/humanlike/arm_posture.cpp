@@ -21,9 +21,9 @@ Vec3 elbow_offset(const ArmPoints& arm, const Vec3& line) {
 
 ArmPoints arm_points(const robot::Robot& robot, const std::vector<Pose>& base_from_frame) {
   if (robot.arm_centres.empty()) return {};
-  Chain chain = arm_chain(robot, base_from_frame).joints;
-  if (chain.size() == 2) chain.push_back(base_from_frame[robot.palm_frame].translation());
-  return {chain.front(), chain.size() == 3 ? chain[1] : unknown_point(), chain.back()};
+  const Chain chain = arm_chain(robot, base_from_frame).joints;
+  return {chain.front(), chain.size() <= 3 ? chain[1] : unknown_point(),
+          arm_wrist(robot, base_from_frame).position};
 }
 
 ArmPoints arm_points(const Goals& goals, double time_s) {

@@ -116,19 +116,6 @@ void add_changes(const NamedPart& named, const std::vector<BranchFactors>& path,
   }
 }
 
-/// Returns the whole turns by which a joint is farther from zero than its limits require.
-int whole_turns(const RobotModel& robot, int joint, double least, double greatest) {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  const double middle = (least + greatest) / 2;
-  int turns = static_cast<int>(std::round(middle / kTurn));
-  while (turns != 0 && (least - turns * kTurn < robot.lower[joint] ||
-                        greatest - turns * kTurn > robot.upper[joint])) {
-    turns -= turns > 0 ? 1 : -1;
-  }
-  const double nearer = std::abs(middle) - std::abs(middle - turns * kTurn);
-  return nearer > kMinUnwinding_rad ? turns : 0;
-}
-
 void add_whole_turns(const RobotModel& robot, const ArmAnatomy& anatomy, const JointRows& position,
                      std::vector<std::string>& words) {
   std::set<int> joints;
@@ -136,7 +123,8 @@ void add_whole_turns(const RobotModel& robot, const ArmAnatomy& anatomy, const J
     const int joint = robot.frames[frame].joint;
     if (!joints.insert(joint).second) continue;  // it moves a coupled frame, too
     const auto path = position.col(joint);
-    const int turns = whole_turns(robot, joint, path.minCoeff(), path.maxCoeff());
+    const int turns =
+        wound_turns(robot.lower[joint], robot.upper[joint], path.minCoeff(), path.maxCoeff());
     if (turns != 0)
       words.push_back(fmt::format("{} wound up by {:+d} turn{}", robot.joint_names[joint], turns,
                                   std::abs(turns) == 1 ? "" : "s"));
@@ -153,6 +141,16 @@ int branch_number(const std::vector<BranchFactors>& path) {
 }
 
 }  // namespace
+
+int wound_turns(double lower, double upper, double least, double greatest) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double middle = (least + greatest) / 2;
+  int turns = static_cast<int>(std::round(middle / kTurn));
+  while (turns != 0 && (least - turns * kTurn < lower || greatest - turns * kTurn > upper))
+    turns -= turns > 0 ? 1 : -1;
+  const double nearer = std::abs(middle) - std::abs(middle - turns * kTurn);
+  return nearer > kMinUnwinding_rad ? turns : 0;
+}
 
 ArmAnatomy find_arm_anatomy(const RobotModel& robot) {
   ArmAnatomy anatomy;

@@ -21,6 +21,10 @@ struct ArmAnatomy {
   int height_sign = 0;
 };
 
+/// Returns the whole turns by which a joint with limits lower … upper that moves between `least`
+/// and `greatest` [rad] is wound up: its path is clearly farther from zero than the limits require.
+int wound_turns(double lower, double upper, double least, double greatest);
+
 /// Derives the anatomy of an arm.
 ArmAnatomy find_arm_anatomy(const RobotModel& robot);
 

@@ -10,6 +10,7 @@ namespace morphe::robot {
 /// middle one is orthogonal to both others and can make them parallel. If the axes also meet in one
 /// point, two sets of positions move all later links alike:
 ///   (q_first, q_middle, q_last) ~ (q_first + π, 2 parallel - q_middle, q_last + π).
+/// With the rounded angles of a description this holds within a millimetre or two.
 struct SphericalFlip {
   int first, middle, last;  ///< joints
   double parallel_rad;      ///< position of the middle joint at which the outer axes are parallel

@@ -37,6 +37,25 @@ std::string names_text(const std::string& phrase, const std::vector<PlanRow>& ro
                      hidden > 0 ? fmt::format(" and {} more", hidden) : "");
 }
 
+/// Returns the branches with the number of their plans, the most frequent first.
+std::vector<std::pair<std::string, int>> by_frequency(const std::map<std::string, int>& counts) {
+  std::vector<std::pair<std::string, int>> branches(counts.begin(), counts.end());
+  std::ranges::stable_sort(branches, std::ranges::greater{}, &std::pair<std::string, int>::second);
+  return branches;
+}
+
+/// Returns the branch whose phrase this is, without its number and its changes.
+ArmBranch branch_of_phrase(const std::string& phrase) {
+  ArmBranch branch;
+  branch.number = 0;
+  for (std::size_t begin = 0; begin < phrase.size();) {
+    const std::size_t end = std::min(phrase.find(", ", begin), phrase.size());
+    branch.words.push_back(phrase.substr(begin, end - begin));
+    begin = end + 2;
+  }
+  return branch;
+}
+
 }  // namespace
 
 std::string branch_phrase(const ArmBranch& branch) {
@@ -52,14 +71,28 @@ std::string branches_text(const std::string& robot, const std::map<std::string, 
         fmt::format("{}: {} in one branch ({})", robot, count_with_noun(plans, "plan"), phrase),
         width, "");
   }
-  std::vector<std::pair<std::string, int>> branches(counts.begin(), counts.end());
-  std::ranges::stable_sort(branches, std::ranges::greater{}, &std::pair<std::string, int>::second);
+  const std::vector<std::pair<std::string, int>> branches = by_frequency(counts);
   std::string text =
       wrap_line(fmt::format("{}: the plans are in {} branches", robot, branches.size()), width, "");
   for (const auto& [phrase, plans] : branches)
     text +=
         wrap_line(fmt::format("{} in {}{}", plans, phrase, names_text(phrase, rows)), width, "  ");
   return text;
+}
+
+void note_other_branches(const std::map<std::string, int>& counts, std::vector<PlanRow>& rows) {
+  const std::vector<std::pair<std::string, int>> branches = by_frequency(counts);
+  if (branches.size() < 2 || branches[0].second == branches[1].second) return;
+  const auto& [phrase, most] = branches.front();
+  const ArmBranch common = branch_of_phrase(phrase);
+  int plans = 0;
+  for (const auto& [unused, count] : branches) plans += count;
+  for (PlanRow& row : rows) {
+    const std::string change = branch_change(common, row.branch);
+    if (!change.empty())
+      row.lines.push_back(
+          fmt::format("branch: {}, unlike {} of {}", change, most, count_with_noun(plans, "plan")));
+  }
 }
 
 std::string branch_change(const ArmBranch& first, const ArmBranch& second) {

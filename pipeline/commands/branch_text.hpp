@@ -20,6 +20,11 @@ std::string branch_phrase(const ArmBranch& branch);
 std::string branches_text(const std::string& robot, const std::map<std::string, int>& counts,
                           const std::vector<PlanRow>& rows, std::size_t width);
 
+/// Adds a line to each row whose plan is not in the branch of most plans: "branch: wrist flipped ->
+/// unflipped, unlike 4 of 5 plans". `counts` is as above; without a branch that has more plans than
+/// every other, there is no such line.
+void note_other_branches(const std::map<std::string, int>& counts, std::vector<PlanRow>& rows);
+
 /// Returns the words in which two branches differ: "shoulder left -> right, wrist flipped ->
 /// unflipped"; "" if they are equal or one is unknown.
 std::string branch_change(const ArmBranch& first, const ArmBranch& second);

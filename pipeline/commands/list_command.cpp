@@ -30,11 +30,14 @@ CommandAction add_list_arguments(CLI::App& app) {
     const robot::Robot robot(plans.robot());
     const explain::AdviceContext context = explain::advice_context(plans.header().config);
     std::vector<PlanRow> rows;
+    std::map<std::string, int> all_branches;
     for (std::size_t k = 0; k < plans.size(); ++k) {
       PlanRow row = row_of(robot, plans.read(k), context);
+      if (row.branch.number) ++all_branches[branch_phrase(row.branch)];
       if (is_selected(arguments->choice, row)) rows.push_back(std::move(row));
     }
     sort_rows(arguments->choice, rows);
+    note_other_branches(all_branches, rows);
     const std::size_t width = terminal_width();
     std::map<std::string, int> branches;
     for (const PlanRow& row : rows)

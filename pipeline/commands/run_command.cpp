@@ -114,6 +114,7 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
       if (is_selected(choice, row)) rows.push_back(std::move(row));
     });
     sort_rows(choice, rows);
+    note_other_branches(one.summary.branches, rows);
     const std::size_t width = terminal_width();
     fmt::print("{}{}", plan_table(rows, width), reference_frames_text(robot.name, rows, width));
     if (!choice.filters.empty())

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/humanlike/arm_posture.hpp"
 #include "core/math/statistics.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "core/robot/forward_kinematics.hpp"
@@ -22,14 +23,16 @@ constexpr double kMaxTipError_m = 1e-4;
 constexpr double kDifference = 1e-6;  ///< of a variable, for the derivatives [rad or m]
 constexpr Eigen::Index kPalmVariables = 6;
 
-/// The tips that must stay, and the palm's goal, at one sample.
+/// The tips that must stay, and the goals of palm and arm, at one sample.
 struct HeldTips {
   std::vector<int> tips;
   std::vector<Vec3> places;
   Quat hand = unknown_rotation();
+  humanlike::ArmPoints arm;
 };
 
-/// A palm, the tips' distances from their places and the palm's rotation from the hand.
+/// The tips' distances from their places, the differences of the directions of upper arm and
+/// forearm if they count, and the palm's rotation from the hand.
 using Residuals = Eigen::VectorXd;
 
 Residuals residuals_of(const Quat& palm, const std::vector<Vec3>& points, const HeldTips& held) {
@@ -41,17 +44,28 @@ Residuals residuals_of(const Quat& palm, const std::vector<Vec3>& points, const 
   return out;
 }
 
-/// One sample's problem: the variables are all joints, or the palm's shift and turn from its driven
-/// pose, followed by all joints.
+/// Returns the difference of the directions of two vectors, about their angle if it is small.
+Vec3 chord(const Vec3& a, const Vec3& b) { return a.normalized() - b.normalized(); }
+
+/// The variables of a sample's problem and its goals.
+enum class PalmSearch {
+  free_palm,  ///< the palm's shift and turn from its driven pose, then all joints; the palm's angle
+  joints,     ///< all joints; the palm's angle
+  whole_arm   ///< all joints; the palm's angle and the links' directions
+};
+
+/// One sample's problem.
 class PalmProblem {
  public:
-  PalmProblem(const robot::Robot& robot, const Plan& plan, int sample, bool free_palm)
+  PalmProblem(const robot::Robot& robot, const Plan& plan, int sample, PalmSearch search)
       : robot_(robot), posture_(plan.trajectory.position.row(sample).transpose()) {
-    free_palm_ = free_palm;
+    free_palm_ = search == PalmSearch::free_palm;
+    whole_arm_ = search == PalmSearch::whole_arm;
     robot::forward_kinematics(robot, posture_, frames_);
     palm_ = frames_[robot.palm_frame];
     const double time_s = plan.trajectory.demonstration_time[sample];
     held_.hand = wrist_orientation_at(plan.goals, time_s);
+    held_.arm = humanlike::arm_points(plan.goals, time_s);
     for (int tip = 0; tip < std::ssize(robot.tips); ++tip) {
       if (robot.tips[tip].finger < 0 || !is_known(tip_goal_at(plan.goals, tip, time_s))) continue;
       held_.tips.push_back(tip);
@@ -60,6 +74,10 @@ class PalmProblem {
   }
 
   bool has_goals() const { return is_known(held_.hand) && !held_.tips.empty(); }
+  bool has_arm() const {
+    return is_known(held_.arm.elbow) && is_known(held_.arm.wrist) && is_known(held_.arm.shoulder) &&
+           is_known(humanlike::arm_points(robot_, frames_).elbow);
+  }
   double driven() const { return angle_between(Quat(palm_.linear()), held_.hand); }
 
   /// Returns the least angle that local searches find, of those that keep the tips in their places:
@@ -69,13 +87,32 @@ class PalmProblem {
     for (const JointVector& start : {with_palm(posture_, 0), other_start(other_fingers)}) {
       const JointVector x = minimum_from(start);
       const Residuals found = residuals(x);
-      if (kTipScale_m * found.head(found.size() - 3).cwiseAbs().maxCoeff() > kMaxTipError_m)
-        continue;
+      if (!holds_tips(found)) continue;
       if (found.tail<3>().norm() >= least) continue;
       least = found.tail<3>().norm();
       best_joints = x.tail(posture_.size());
     }
     return least;
+  }
+
+  /// Returns the angles of the posture with the least sum of squares that searches from the driven
+  /// one, with its fingers or other ones, find.
+  WholeArmFloor least_angles(const JointVector& other_fingers) {
+    JointVector best = posture_;
+    double least = residuals(posture_).squaredNorm();
+    for (const JointVector& start : {posture_, other_start(other_fingers)}) {
+      const JointVector x = minimum_from(start);
+      const Residuals found = residuals(x);
+      if (!holds_tips(found) || found.squaredNorm() >= least) continue;
+      least = found.squaredNorm();
+      best = x;
+    }
+    robot::forward_kinematics(robot_, best, frames_);
+    const humanlike::ArmPoints arm = humanlike::arm_points(robot_, frames_);
+    const humanlike::ArmPoints& human = held_.arm;
+    return {humanlike::direction_error(arm.elbow - arm.shoulder, human.elbow - human.shoulder),
+            humanlike::direction_error(arm.wrist - arm.elbow, human.wrist - human.elbow),
+            angle_between(Quat(frames_[robot_.palm_frame].linear()), held_.hand)};
   }
 
   JointVector best_joints;  ///< of the least angle; empty if it is the driven one
@@ -87,6 +124,11 @@ class PalmProblem {
     problem.upper = with_palm(robot_.upper, 1);
     problem.model = [this](const JointVector& x, solve::Quadratic& model) { add_to(x, model); };
     return solve::minimise(problem, start, {}).x;
+  }
+
+  bool holds_tips(const Residuals& found) const {
+    return kTipScale_m * found.head(3 * std::ssize(held_.tips)).cwiseAbs().maxCoeff() <=
+           kMaxTipError_m;
   }
 
   /// Returns the driven posture with the palm turned to the hand if it is free, else with the
@@ -128,7 +170,14 @@ class PalmProblem {
     std::vector<Vec3> points;
     for (const int tip : held_.tips)
       points.push_back(moved * robot::tip_pose(robot_, frames_, tip).translation());
-    return residuals_of(palm, points, held_);
+    const Residuals of_palm = residuals_of(palm, points, held_);
+    if (!whole_arm_) return of_palm;
+    const humanlike::ArmPoints arm = humanlike::arm_points(robot_, frames_);
+    Residuals all(of_palm.size() + 6);
+    all << of_palm.head(of_palm.size() - 3),
+        chord(arm.elbow - arm.shoulder, held_.arm.elbow - held_.arm.shoulder),
+        chord(arm.wrist - arm.elbow, held_.arm.wrist - held_.arm.elbow), of_palm.tail<3>();
+    return all;
   }
 
   /// Adds |residuals|² with its Gauss-Newton Hessian.
@@ -147,7 +196,7 @@ class PalmProblem {
 
   const robot::Robot& robot_;
   JointVector posture_;
-  bool free_palm_ = false;
+  bool free_palm_ = false, whole_arm_ = false;
   Pose palm_;
   HeldTips held_;
   std::vector<Pose> frames_;
@@ -156,18 +205,28 @@ class PalmProblem {
 }  // namespace
 
 PalmFloor palm_floor(const robot::Robot& robot, const Plan& plan) {
-  std::vector<double> driven, whole_robot, hand_alone;
+  std::vector<double> driven, whole_robot, hand_alone, upper_arm, forearm, palm;
   if (robot.arm_centres.empty()) return {};
   for (const std::size_t k : planning::evenly_spaced_indices(plan.trajectory.samples(), kSamples)) {
     const int sample = static_cast<int>(k);
-    PalmProblem by_robot(robot, plan, sample, false), by_hand(robot, plan, sample, true);
+    PalmProblem by_robot(robot, plan, sample, PalmSearch::joints),
+        by_hand(robot, plan, sample, PalmSearch::free_palm),
+        by_arm(robot, plan, sample, PalmSearch::whole_arm);
     if (!by_robot.has_goals()) continue;
     driven.push_back(by_robot.driven());
     const double by_fingers = by_hand.least_angle({});
     whole_robot.push_back(by_robot.least_angle(by_hand.best_joints));
     hand_alone.push_back(std::min(whole_robot.back(), by_fingers));
+    if (!by_arm.has_arm()) continue;
+    const WholeArmFloor floor = by_arm.least_angles(by_hand.best_joints);
+    upper_arm.push_back(floor.upper_arm);
+    forearm.push_back(floor.forearm);
+    palm.push_back(floor.palm);
   }
-  return {math::mean(driven), math::mean(whole_robot), math::mean(hand_alone)};
+  return {math::mean(driven),
+          math::mean(whole_robot),
+          math::mean(hand_alone),
+          {math::mean(upper_arm), math::mean(forearm), math::mean(palm)}};
 }
 
 }  // namespace morphe::explain

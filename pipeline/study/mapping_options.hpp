@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "pipeline/study/recording_source.hpp"
 #include "pipeline/study/variant.hpp"
 
 namespace morphe::study {
@@ -11,21 +11,14 @@ namespace morphe::study {
 /// A set of recordings that are planned with one pipeline config.
 struct MappingSet {
   std::string name, pipeline;
-  std::string manifest;             ///< manifest of real recordings, or "" for synthetic ones
-  std::string synthetic;            ///< config of pipeline/synthesize
-  int count = 50, quick_count = 1;  ///< number of recordings, in total and in the quick variant
-  std::uint64_t seed = 1;
+  RecordingSource recordings;
 };
 /// Maps the keys of the config to the fields.
 template <class Fields>
 void fields(Fields& f, MappingSet& o) {
   f.required("name", o.name);
   f.required("pipeline", o.pipeline);
-  f("manifest", o.manifest);
-  f("synthetic", o.synthetic);
-  f("count", o.count);
-  f("quick_count", o.quick_count);
-  f("seed", o.seed);
+  fields(f, o.recordings);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const MappingSet& set);

@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "core/math/statistics.hpp"
-#include "core/store/demonstration_file.hpp"
-#include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/study/mapping_options.hpp"
+#include "pipeline/study/plan_recordings.hpp"
 #include "pipeline/study/results.hpp"
 #include "pipeline/study/study.hpp"
-#include "pipeline/synthesize/synthesize.hpp"
-#include "stages/import/import.hpp"
 
 namespace morphe::study {
 namespace {
@@ -21,47 +18,13 @@ struct VariantResult {
   double tip_position = 0;  ///< weight w_x of its objective
 };
 
-std::vector<Demonstration> recordings_of(const MappingSet& set, const StudyRun& run) {
-  const std::filesystem::path folder = run.config.parent_path();
-  const int count = run.quick ? set.quick_count : set.count;
-  std::vector<Demonstration> all;
-  if (set.synthetic.empty()) {
-    imports::ImportRequest request;
-    request.paths = {folder / set.manifest};
-    imports::import_recordings(request, [&](Demonstration&& demonstration) {
-      if (std::ssize(all) < count) all.push_back(std::move(demonstration));
-    });
-    return all;
-  }
-  synthesize::SynthesizeOptions synthetic;
-  const config::ConfigNode node = config::ConfigNode::load(folder / set.synthetic);
-  config::read_document(node, synthetic);
-  for (int i = 0; i < count; ++i)
-    all.push_back(synthesize::synthesize(synthetic, set.seed, i).recorded);
-  return all;
-}
-
 VariantResult plan_all(const MappingSet& set, const StudyVariant& variant,
                        const std::vector<Demonstration>& recordings, const StudyRun& run) {
   const planning::LoadedConfig config =
       planning::load_config(run.config.parent_path() / set.pipeline, variant.set);
-  const planning::PlanningInputs planner{config.options, config.robot};
-  VariantResult result;
-  result.name = variant.name;
-  result.tip_position = config.options.map.objective.get<humanlike::TipPosition>().weight;
-  run::Batch batch;
-  batch.next = [&, next = 0]() mutable {
-    return next == std::ssize(recordings) ? nullptr
-                                          : std::make_unique<Demonstration>(recordings[next++]);
-  };
-  batch.plan = [&](const Demonstration& demonstration) {
-    return planning::plan_demonstration(planner, demonstration);
-  };
-  batch.write = [&](const run::DemonstrationOutcome& outcome) {
-    result.plans.insert(result.plans.end(), outcome.plans.begin(), outcome.plans.end());
-  };
-  result.map_s = run::run_batch(batch, run.jobs).stage_cpu_s["map"];
-  return result;
+  PlannedRecordings planned = plan_recordings(config, recordings, run.jobs);
+  return {variant.name, std::move(planned.plans), planned.map_s,
+          config.options.map.objective.get<humanlike::TipPosition>().weight};
 }
 
 double objective_sum(const Plan& plan) {
@@ -183,7 +146,7 @@ void add_rows(const MappingStudyOptions& options, const MappingSet& set,
   StudyRow& ratio =
       result.add(condition, "A, ratio", "1", math::mean(figures.a) / ik_a, figures.a.size());
   // Required for real recordings, over all of a set.
-  if (all_recordings && set.synthetic.empty()) ratio.at_most = 0.7;
+  if (all_recordings && set.recordings.synthetic.empty()) ratio.at_most = 0.7;
   result
       .add(condition, "tip error, median, difference", "m", our_tips - ik_tips, figures.tips.size())
       .at_most = 0.05e-3;
@@ -191,11 +154,7 @@ void add_rows(const MappingStudyOptions& options, const MappingSet& set,
 
 }  // namespace
 
-std::string validation_error(const MappingSet& o) {
-  if (o.manifest.empty() == o.synthetic.empty()) return "needs `manifest` or `synthetic`";
-  if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
-  return "";
-}
+std::string validation_error(const MappingSet& set) { return validation_error(set.recordings); }
 
 std::string validation_error(const MappingStudyOptions& o) {
   if (o.sets.empty()) return "sets is empty";
@@ -212,7 +171,7 @@ StudyResult mapping_study(const config::ConfigNode& config, const StudyRun& run)
   config::read_document(config, options);
   StudyResult result;
   for (const MappingSet& set : options.sets) {
-    const std::vector<Demonstration> recordings = recordings_of(set, run);
+    const std::vector<Demonstration> recordings = load_recordings(set.recordings, run);
     std::vector<VariantResult> variants;
     for (const StudyVariant& variant : options.variants) {
       variants.push_back(plan_all(set, variant, recordings, run));

@@ -143,6 +143,10 @@ void write_results(const StudyResult& all, const std::filesystem::path& folder) 
   write_hdf5(result, folder / "results.h5");
   for (const auto& [name, plot] : result.plots)
     files::write_atomically(folder / (name + ".svg"), svg_of(plot));
+  for (const auto& [name, grid] : result.grids)
+    files::write_atomically(folder / (name + ".svg"), svg_of(grid));
+  for (const auto& [name, table] : result.tables)
+    files::write_atomically(folder / (name + ".md"), table);
 }
 
 }  // namespace morphe::study

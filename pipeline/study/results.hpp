@@ -16,7 +16,8 @@ std::string results_csv(const StudyResult& result);
 /// Returns a table for display, including timed rows.
 std::string results_table(const StudyResult& result);
 
-/// Writes results.json, .csv, .h5 ("morphe-study", one dataset per column) and one .svg per plot.
+/// Writes results.json, .csv, .h5 ("morphe-study", one dataset per column), one .svg per plot or
+/// grid of plots, and one .md per table.
 void write_results(const StudyResult& result, const std::filesystem::path& folder);
 
 }  // namespace morphe::study

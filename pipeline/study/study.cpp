@@ -13,6 +13,7 @@
 #include "pipeline/study/recordings_options.hpp"
 #include "pipeline/study/repair_options.hpp"
 #include "pipeline/study/retime_options.hpp"
+#include "pipeline/study/trade_off_options.hpp"
 
 namespace morphe::study {
 namespace {
@@ -23,14 +24,15 @@ struct Entry {
   config::Schema (*schema)(const config::KeyDescriptions&, bool);
 };
 
-constexpr std::array<Entry, 7> kStudies{
+constexpr std::array<Entry, 8> kStudies{
     {{"recordings", recordings_study, config::schema_of<RecordingsStudyOptions>},
      {"paper", paper_study, config::schema_of<PaperStudyOptions>},
      {"mapping", mapping_study, config::schema_of<MappingStudyOptions>},
      {"repair", repair_study, config::schema_of<RepairStudyOptions>},
      {"retime", retime_study, config::schema_of<RetimeStudyOptions>},
      {"hands", hands_study, config::schema_of<HandsStudyOptions>},
-     {"grasp", grasp_study, config::schema_of<GraspStudyOptions>}}};
+     {"grasp", grasp_study, config::schema_of<GraspStudyOptions>},
+     {"trade_off", trade_off_study, config::schema_of<TradeOffStudyOptions>}}};
 
 }  // namespace
 

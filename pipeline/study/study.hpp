@@ -43,6 +43,8 @@ struct StudyResult {
   std::string study;
   std::vector<StudyRow> rows;
   std::vector<std::pair<std::string, Plot>> plots;  ///< plots with their file names without .svg
+  std::vector<std::pair<std::string, PlotGrid>> grids;      ///< likewise
+  std::vector<std::pair<std::string, std::string>> tables;  ///< Markdown, with names without .md
 
   /// Adds a row without a requirement and returns it, valid until another row is added.
   StudyRow& add(const Case& condition, const std::string& metric, const std::string& unit,
@@ -81,5 +83,8 @@ StudyResult hands_study(const config::ConfigNode& config, const StudyRun& run);
 /// Evaluates grasps with contacts as goals against the contacts of the person and against plain
 /// fingertip goals. The plans are written to plans/SET-HAND-VARIANT.h5 in the run's folder.
 StudyResult grasp_study(const config::ConfigNode& config, const StudyRun& run);
+/// Plans recordings with several values of weights, and names the value beyond which posture, tempo
+/// and the number of executable movements lose more than they gain.
+StudyResult trade_off_study(const config::ConfigNode& config, const StudyRun& run);
 
 }  // namespace morphe::study

@@ -10,7 +10,7 @@ namespace morphe::map {
 /// check (distance less the required margin). For a pair that may touch, the band is at most as
 /// wide as the allowed penetration is deep, so that it ends at the surface. Once differentiable.
 struct ClearanceTerm {
-  double weight = 5500;  ///< weight per m²; 0 disables the term, as in the paper's studies
+  double weight = 15000;  ///< weight per m²; 0 disables the term, as in the paper's studies
   double activation_distance_m = 0.005;  ///< width of the band
 };
 template <class Fields>

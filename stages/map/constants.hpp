@@ -16,8 +16,7 @@ inline constexpr double kRankingTolerance = 1e-4;  ///< relative, of descents th
 inline constexpr int kMaxQuickEvaluations = 40;
 inline constexpr int kMaxQuickRefinements = 10;   ///< evaluations from each of the best minima
 inline constexpr int kRefinedPerKeptMinimum = 2;  ///< minima refined for each one that is kept
-/// Symmetries that are considered: together at most 2^8 equivalent postures.
-inline constexpr int kMaxFlips = 4, kMaxMultiTurnJoints = 4;
+inline constexpr int kMaxFlips = 4;  ///< flips that are considered: at most 2^4 combinations
 /// Random postures at which a symmetry must preserve the objective, and the relative difference.
 inline constexpr int kSymmetryTestPostures = 3;
 inline constexpr double kSymmetryTolerance = 1e-6;
@@ -36,6 +35,11 @@ inline constexpr int kScreeningIterations = 7;
 inline constexpr int kFullySmoothedCount = 2;
 /// Factors on the relative tolerance: to compare sequences, and over all frames.
 inline constexpr double kComparisonToleranceFactor = 10, kFineToleranceFactor = 10;
+/// The same for the path that is taken. The elbow's circle is a flat valley: a solver that stopped
+/// earlier left two recordings of one motion up to 20 mm apart. Same joints for 26 instead of 18 of
+/// 30 noisy and resampled reaches (xarm7_leap), 23 instead of 20 (pa10_dlr_hit2); five times the
+/// iterations gave no more on the latter.
+inline constexpr double kPolishingToleranceFactor = 1e-2;
 /// Divisor of the iterations over all frames, which start from the coarse grid; 2 remain at least.
 inline constexpr int kFineIterationsDivisor = 2;
 /// The person at rest: segments of an adult's arm and the tips of a hand that is about to grasp, in
@@ -52,12 +56,15 @@ inline constexpr double kReachUpperArm_rad = 0.7, kReachForearmRise_rad = 0.3;
 inline constexpr int kRestSteps = 12, kMaxRestEvaluations = 60;
 inline constexpr double kRestNearness = 0.03;
 inline constexpr std::size_t kRestBranches = 4;  ///< postures at rest that are continued
-inline constexpr double kSamePlace_m = 0.01;  ///< nearer links of two postures at rest are the same
+/// Links of two postures, or palms, that are nearer are at the same place: several times the error
+/// of angles rounded to 0.01 rad at a metre, far below the offsets of axes that do not meet.
+inline constexpr double kSamePlace_m = 0.01, kSameTurn_rad = 0.01;
 inline constexpr int kReferenceStarts = 128, kReferenceMinima = 8;
 inline constexpr std::uint64_t kReferenceSeed = 1;  ///< of these starts
-/// Cost of the differences of the wrist's offset between frames (path_problem.hpp): over a
-/// movement it changes by about a millimetre. Its bound is beyond any arm.
-inline constexpr double kOffsetStiffness_per_m2 = 1e6, kLargestWristOffset_m = 100;
+/// Weight with which the variables o follow the wrist (path_problem.hpp): they lag behind by tenths
+/// of a millimetre. A stiffer one pulls at the tips for no higher correlation of the speeds (by
+/// hand, on the shipped recordings). Their bound is beyond any arm.
+inline constexpr double kWristFollowing_per_m2 = 8000, kLargestWristOffset_m = 100;
 inline constexpr double kHoldWeight_per_rad2 = 1e6;  ///< holds a frame: exceeds all its terms
 inline constexpr double kReSolvedChange_rad = 1e-4;  ///< above it a frame counts as re-solved
 inline constexpr double kMetTolerance_m = 1e-3;  ///< tip error below which a frame's goal is met

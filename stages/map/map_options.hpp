@@ -60,16 +60,16 @@ std::string validation_error(const BaseOffset& options);
 /// Returns the default weights. Humanlikeness, clearance and smoothness pull tips off their goals,
 /// on the shipped recordings by at most 2 mm (tests/cli/test_run.py). Tips give way to
 /// collisions, because beyond their clearance these cost more than tips a little farther away. The
-/// weights of the palm, of the wrist's motion and of the clearance were chosen by hand on the
-/// shipped and twelve other recordings: a palm nearer to the
-/// person's costs duration and tips (CHANGELOG.md).
+/// weights of tips, palm, arm, wrist, clearance and motion were chosen together, by hand, on ten
+/// drinking movements of five people and all shipped pipelines: a palm nearer to the person's costs
+/// duration, upper arm and the wrist's speed profile (docs/steps/map.md).
 inline humanlike::FrameObjective default_objective() {
   humanlike::FrameObjective o;
-  o.get<humanlike::TipPosition>().weight = 40000;
+  o.get<humanlike::TipPosition>().weight = 100000;
   o.get<humanlike::TipOrientation>().weight = 0.01;
   o.get<humanlike::PadDirection>().weight = 0.05;
-  o.get<humanlike::PalmDirection>().weight = 0.16;
-  o.get<humanlike::JointDistance>().weight = 1;
+  o.get<humanlike::PalmDirection>().weight = 0.4;
+  o.get<humanlike::JointDistance>().weight = 3;
   o.get<humanlike::FingerJointDistance>().weight = 0.1;
   o.get<humanlike::NaturalPosture>().weight = 0.02;
   return o;
@@ -87,7 +87,7 @@ struct MapOptions {
   ClearanceTerm clearance;
   bool avoid_target = true;    ///< unseen fingers and the palm respect the target's contact depth
   MovementCost movement_cost;  ///< added to the frames' objectives
-  double wrist_motion = 150;   ///< weight in PathProblem [1/m²]
+  double wrist_motion = 4;     ///< weight in PathProblem [s²/m²]
   BranchRule branch = BranchRule::nearest_home;
   double branch_share = 0.05;                ///< by which a path may exceed the least value [-]
   std::vector<NaturalJoint> branch_posture;  ///< of nearest_posture; joints not listed are at 0

@@ -27,7 +27,7 @@ struct MappingProblem {
   const robot::Robot* robot = nullptr;
   humanlike::FrameObjective objective;               ///< objective of a single frame
   ClearanceTerm clearance;                           ///< added to the objective
-  double wrist_motion = 0;                           ///< weight in PathProblem [1/m²]
+  double wrist_motion = 0;                           ///< weight in PathProblem [s²/m²]
   const collision::CollisionWorld* world = nullptr;  ///< for the clearance; of the same robot
   std::vector<double> time;                          ///< [F] demonstration time [s]
   std::vector<humanlike::FrameGoal> goals;           ///< [F]

@@ -12,7 +12,7 @@ namespace morphe::map {
 /// jerk term suppresses sensor noise; velocity and acceleration select, among postures that meet
 /// the goals equally well, those that the robot can follow without slowing down.
 struct MovementCost {
-  double velocity = 2e-3, acceleration = 7e-5, jerk = 2e-4;  ///< weights of the three terms
+  double velocity = 2e-3, acceleration = 1e-3, jerk = 2e-3;  ///< weights of the three terms
 };
 template <class Fields>
 void fields(Fields& f, MovementCost& o) {

@@ -11,6 +11,7 @@
 #include "stages/map/frame_search.hpp"
 #include "stages/map/join_ik_branches.hpp"
 #include "stages/map/path_problem.hpp"
+#include "stages/map/placement.hpp"
 #include "stages/map/posture_symmetries.hpp"
 #include "stages/map/rest_branch.hpp"
 #include "stages/map/rounded_problem.hpp"
@@ -75,6 +76,14 @@ bool reaches_limit(const PostureSymmetries& symmetries, const JointRows& path) {
   });
 }
 
+/// Returns the options with which the path that is taken is solved. Without a preferred branch the
+/// least value decides, which more steps would hardly change; a hand alone has no redundant arm.
+MapOptions polishing_options(const MappingProblem& problem, MapOptions options) {
+  if (problem.reference.posture.size() == 0 || is_hand_only(*problem.robot)) return options;
+  options.movement_solver.relative_tolerance *= kPolishingToleranceFactor;
+  return options;
+}
+
 void sort_by_value(std::vector<CandidatePath>& paths) {
   std::ranges::stable_sort(paths, {}, &CandidatePath::value);
 }
@@ -112,12 +121,16 @@ std::vector<IkBranch> track_key_frames(const MappingProblem& coarse,
     for (const solve::Minimum& start : search_frame(
              coarse, key, options.starts, options.candidates, quick_stages(options.frame_solver),
              math::seed_from(seed, "key frame", k), scratch)) {
-      const std::vector<JointVector> postures = equivalent_postures(symmetries, start.x);
-      for (const JointVector& posture : first_values(postures, kMaxEquivalentPostures)) {
+      std::vector<JointVector> postures = equivalent_postures(symmetries, start.x);
+      for (std::size_t p = 0; p < std::min(postures.size(), kMaxEquivalentPostures); ++p) {
+        const JointVector posture = postures[p];
         if (on_known_branch(key, posture)) continue;
         branches.push_back(track_branch(coarse, key, posture, options.frame_solver, scratch));
         stopped.push_back(reaches_limit(symmetries, branches.back().q));
         if (!stopped.back()) break;
+        JointVector turned = turned_off_limits(symmetries, branches.back().q, posture);
+        if (turned != posture)
+          postures.insert(postures.begin() + static_cast<std::ptrdiff_t>(p) + 1, std::move(turned));
       }
     }
   }
@@ -147,29 +160,45 @@ std::vector<CandidatePath> search_coarse_paths(const MappingProblem& coarse,
   return paths;
 }
 
-/// Continues postures of the person at rest, the preferred one first, until a path is within the
-/// share of the best; it becomes the first one. If there is none, the branch is chosen among all,
-/// and flipped to the sides of the reference if that costs no more than the share.
-void put_preferred_first(const MappingProblem& coarse, const MapOptions& options,
-                         std::vector<CandidatePath>& paths) {
+/// Continues postures of the person at rest into the movement, the preferred one first.
+std::vector<CandidatePath> continued_paths(const MappingProblem& coarse,
+                                           const PostureSymmetries& symmetries,
+                                           const MapOptions& options) {
   MappingScratch scratch;
-  double best = paths.front().value;
+  std::vector<CandidatePath> paths;
   for (const JointVector& posture : first_values(coarse.reference.starts, kRestBranches)) {
     const IkBranch branch = continue_from_rest(coarse, posture, options, scratch);
-    CandidatePath path = smoothed(coarse, branch.q, options.movement_cost, options.movement_solver);
-    best = std::min(best, path.value);
-    const bool good = path.value <= (1 + options.branch_share) * best;
-    paths.insert(good ? paths.begin() : paths.end(), std::move(path));
-    if (good) return;
+    paths.push_back(smoothed(coarse, turned_towards_reference(symmetries, branch.q),
+                             options.movement_cost, options.movement_solver));
   }
-  std::ranges::swap(
-      paths.front(),
-      paths[choose_branch(*coarse.robot, paths, coarse.reference.posture, options.branch_share)]);
-  const JointRows flipped = preferred_equivalent(find_palm_symmetries(coarse), paths.front().q);
+  return paths;
+}
+
+/// Puts the path that is taken first: the first continued one whose value is within the share of
+/// the least that is known. Without one, the branch is chosen among all. A path that does not
+/// continue the preferred posture is flipped to the sides of the reference if that costs no more
+/// than the share.
+void put_preferred_first(const MappingProblem& coarse, const MapOptions& options,
+                         std::vector<CandidatePath>& paths) {
+  const PostureSymmetries symmetries = find_palm_symmetries(coarse);
+  std::vector<CandidatePath> continued = continued_paths(coarse, symmetries, options);
+  double best = paths.front().value;
+  for (const CandidatePath& path : continued) best = std::min(best, path.value);
+  const double most = (1 + options.branch_share) * best;
+  const auto good = std::ranges::find_if(
+      continued, [&](const CandidatePath& path) { return path.value <= most; });
+  const bool is_preferred = good == continued.begin() && good != continued.end();
+  if (good != continued.end()) paths.insert(paths.begin(), std::move(*good));
+  if (is_preferred) return;
+  std::ranges::move(continued.begin(), good, std::back_inserter(paths));
+  if (good == continued.end())
+    std::ranges::swap(
+        paths.front(),
+        paths[choose_branch(*coarse.robot, paths, coarse.reference.posture, options.branch_share)]);
+  const JointRows flipped = preferred_equivalent(symmetries, paths.front().q);
   if (flipped == paths.front().q) return;
   CandidatePath other = smoothed(coarse, flipped, options.movement_cost, options.movement_solver);
-  if (other.value <= (1 + options.branch_share) * best)
-    paths.insert(paths.begin(), std::move(other));
+  if (other.value <= most) paths.insert(paths.begin(), std::move(other));
 }
 
 }  // namespace
@@ -188,7 +217,8 @@ std::vector<CandidatePath> search_movement(const MappingProblem& problem, const 
   const MappingProblem& coarse = rounded.problem;
   std::vector<CandidatePath> paths = search_coarse_paths(coarse, options, seed);
   put_preferred_first(coarse, options, paths);
-  paths.front() = solve_coarse_to_fine(problem, coarse, frames, paths.front().q, options);
+  paths.front() = solve_coarse_to_fine(problem, coarse, frames, paths.front().q,
+                                       polishing_options(problem, options));
   for (int k = 1; k < std::ssize(paths); ++k) paths[k].q = interpolate(paths[k].q, frames);
   return paths;
 }

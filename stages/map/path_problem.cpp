@@ -1,7 +1,9 @@
 #include "stages/map/path_problem.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "core/humanlike/arm_chain.hpp"
 #include "core/robot/forward_kinematics.hpp"
 #include "stages/map/constants.hpp"
 
@@ -26,14 +28,14 @@ void add_wrist_motion(const MappingProblem& problem, std::size_t frame,
                       solve::Quadratic& model) {
   const humanlike::FrameGoal& goal = problem.goals[frame];
   if (!is_known(goal.wrist)) return;
-  const int palm = problem.robot->palm_frame;
-  const Vec3 wrist = poses[palm].translation();
+  const humanlike::ArmWrist wrist = humanlike::arm_wrist(*problem.robot, poses);
   const Eigen::Index joints = variables.size() - 3;
   Eigen::Matrix3Xd jacobian(3, variables.size());
-  robot::point_jacobian(*problem.robot, poses, palm, wrist, jacobian.leftCols(joints));
+  robot::point_jacobian(*problem.robot, poses, wrist.frame, wrist.position,
+                        jacobian.leftCols(joints));
   jacobian.rightCols(3) = -Eigen::Matrix3d::Identity();
-  const Vec3 residual = wrist - goal.wrist - variables.tail<3>();
-  const double weight = problem.wrist_motion * goal.weights.humanlike_arm;
+  const Vec3 residual = wrist.position - goal.wrist - variables.tail<3>();
+  const double weight = kWristFollowing_per_m2 * goal.weights.humanlike_arm;
   model.value += weight * residual.squaredNorm();
   model.gradient += 2 * weight * (jacobian.transpose() * residual);
   model.hessian += 2 * weight * (jacobian.transpose() * jacobian);
@@ -42,13 +44,13 @@ void add_wrist_motion(const MappingProblem& problem, std::size_t frame,
 }  // namespace
 
 PathProblem::PathProblem(const MappingProblem& problem, const MovementCost& cost)
-    : mapping(problem), has_offset(has_wrist_motion(problem)), scratch(problem.frames()) {
+    : mapping(problem), has_offsets(has_wrist_motion(problem)), scratch(problem.frames()) {
   const double share = mean_step(problem.time) / kReferenceStep_s;
   movement.frames = static_cast<Eigen::Index>(problem.frames());
   movement.lower = problem.robot->lower;
   movement.upper = problem.robot->upper;
   movement.difference_weight = difference_weights(*problem.robot, problem.time, cost);
-  if (!has_offset) {
+  if (!has_offsets) {
     movement.frame_model = [this, share](Eigen::Index frame, const JointVector& q,
                                          solve::Quadratic& model) {
       add_frame_objective(mapping, frame, q, scratch[frame], model, humanlike::Curvature::exact);
@@ -58,9 +60,10 @@ PathProblem::PathProblem(const MappingProblem& problem, const MovementCost& cost
   }
   movement.lower = append(movement.lower, -kLargestWristOffset_m);
   movement.upper = append(movement.upper, kLargestWristOffset_m);
+  const double of_step = problem.wrist_motion * share / std::pow(mean_step(problem.time), 2);
   for (std::size_t order = 0; order < movement.difference_weight.size(); ++order) {
     JointVector& weight = movement.difference_weight[order];
-    weight = append(weight, order == 0 ? kOffsetStiffness_per_m2 : 0);
+    weight = append(weight, order == 0 ? of_step : 0);
   }
   movement.frame_model = [this, share](Eigen::Index frame, const JointVector& variables,
                                        solve::Quadratic& model) {
@@ -78,37 +81,45 @@ PathProblem::PathProblem(const MappingProblem& problem, const MovementCost& cost
   };
 }
 
-JointRows PathProblem::with_offset(const JointRows& rows, const Vec3& offset) const {
-  if (!has_offset) return rows;
-  JointRows all(rows.rows(), rows.cols() + 3);
-  all.leftCols(rows.cols()) = rows;
-  all.rightCols(3).rowwise() = offset.transpose();
+JointRows PathProblem::with_offsets(const JointRows& path, const JointRows& offsets) const {
+  if (!has_offsets) return path;
+  JointRows all(path.rows(), path.cols() + 3);
+  all << path, offsets;
   return all;
 }
 
 JointRows PathProblem::joints(const JointRows& variables) const {
-  return has_offset ? JointRows(variables.leftCols(variables.cols() - 3)) : variables;
+  return has_offsets ? JointRows(variables.leftCols(variables.cols() - 3)) : variables;
 }
 
-Vec3 mean_wrist_offset(const MappingProblem& problem, const JointRows& path) {
-  Vec3 sum = Vec3::Zero();
-  int count = 0;
+JointRows wrist_offsets(const MappingProblem& problem, const JointRows& path) {
+  JointRows offsets = JointRows::Zero(path.rows(), 3);
   std::vector<Pose> base_from_frame;
+  Eigen::Index first = -1;
   for (Eigen::Index f = 0; f < path.rows(); ++f) {
-    if (!is_known(problem.goals[f].wrist)) continue;
+    const Vec3& human = problem.goals[f].wrist;
+    if (!is_known(human)) {
+      if (first >= 0) offsets.row(f) = offsets.row(f - 1);
+      continue;
+    }
     robot::forward_kinematics(*problem.robot, path.row(f).transpose(), base_from_frame);
-    sum += base_from_frame[problem.robot->palm_frame].translation() - problem.goals[f].wrist;
-    ++count;
+    const Vec3 wrist = humanlike::arm_wrist(*problem.robot, base_from_frame).position;
+    offsets.row(f) = (wrist - human).transpose();
+    if (first < 0) {
+      first = f;
+      offsets.topRows(f).rowwise() = offsets.row(f);
+    }
   }
-  return count > 0 ? Vec3(sum / count) : Vec3::Zero();
+  return offsets;
 }
 
 solve::MovementMinimum minimise_path(const MappingProblem& problem, const JointRows& start,
                                      const MovementCost& cost,
                                      const solve::MovementOptions& options) {
   const PathProblem path(problem, cost);
-  solve::MovementMinimum found = solve::minimise_movement(
-      path.movement, path.with_offset(start, mean_wrist_offset(problem, start)), options);
+  const JointRows offsets = path.has_offsets ? wrist_offsets(problem, start) : JointRows();
+  solve::MovementMinimum found =
+      solve::minimise_movement(path.movement, path.with_offsets(start, offsets), options);
   found.q = path.joints(found.q);
   return found;
 }

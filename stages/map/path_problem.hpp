@@ -10,12 +10,13 @@ namespace morphe::map {
 
 /// The problem of a whole movement: the objectives of all frames, the movement's cost, and the
 /// motion of the wrist,
-///   wrist_motion · sum over frames of ‖p(q_f) - w_f - o‖²,
-/// in which p is the origin of the palm's frame, w the human wrist and o an offset that is the same
-/// in all frames. It is least if the robot's wrist moves as the human's does, wherever it is: then
-/// both have the same speeds. o is optimised too: each frame has three variables o_f more, and a
-/// stiff cost of their differences. All is scaled by the time that a frame represents, which is
-/// longer on a coarser grid. The term is absent without its weight or for a hand alone.
+///   wrist_motion · sum over frames of ‖(u_f+1 - u_f) / h‖²,  u_f = p(q_f) - w_f,
+/// in which p is the robot's wrist (arm_wrist()), w the human wrist and h the time between frames.
+/// It is least if both wrists have the same velocity, wherever they are. The solver couples frames
+/// by differences of variables alone: each frame has three variables o_f more, which follow u_f
+/// (kWristFollowing_per_m2), and the differences are theirs. All is scaled by the time that a frame
+/// represents, which is longer on a coarser grid. The term is absent without its weight or for a
+/// hand alone.
 ///
 /// `problem` must outlive the movement problem.
 struct PathProblem {
@@ -24,20 +25,20 @@ struct PathProblem {
   PathProblem(const PathProblem&) = delete;
   PathProblem& operator=(const PathProblem&) = delete;
 
-  /// Returns `rows` [F, n] with the offset o as further columns if the problem has them.
-  JointRows with_offset(const JointRows& rows, const Vec3& offset) const;
+  /// Returns a path [F, n] with `offsets` [F, 3] as further columns if the problem has them.
+  JointRows with_offsets(const JointRows& path, const JointRows& offsets) const;
   /// Returns the columns of the joints.
   JointRows joints(const JointRows& variables) const;
 
   const MappingProblem& mapping;
   solve::MovementProblem movement;
-  bool has_offset = false;
+  bool has_offsets = false;
   std::vector<MappingScratch> scratch;
 };
 
-/// Returns the mean vector from the human wrist to the robot's over a path [F, n], 0 if the wrist
-/// was never seen.
-Vec3 mean_wrist_offset(const MappingProblem& problem, const JointRows& path);
+/// Returns u_f of a path [F, n]: the vectors [F, 3] from the human wrist to the robot's, in a frame
+/// without a wrist that of the frame before, or else of the first with one; 0 if there is none.
+JointRows wrist_offsets(const MappingProblem& problem, const JointRows& path);
 
 /// Minimises a movement from a path [F, n]. Returns a path of the joints alone.
 solve::MovementMinimum minimise_path(const MappingProblem& problem, const JointRows& start,

@@ -7,14 +7,17 @@
 #include <random>
 #include <utility>
 
+#include "core/robot/arm_branch.hpp"
 #include "core/robot/forward_kinematics.hpp"
+#include "core/robot/tree.hpp"
 #include "stages/map/constants.hpp"
 
 namespace morphe::map {
 namespace {
 
 using Eigen::Index;
-using std::numbers::pi;
+
+constexpr double kTurn_rad = 2 * std::numbers::pi;
 
 /// Returns q and every combination of flips, q itself first, regardless of the limits.
 std::vector<JointVector> flip_combinations(const PostureSymmetries& symmetries,
@@ -64,13 +67,40 @@ double limit_margin(const PostureSymmetries& symmetries, const JointVector& q) {
   return margin;
 }
 
+/// Returns the whole turns [rad] of a joint that moves between `least` and `greatest` to where it
+/// is nearest to the reference, but not wound up unless that is; without a reference, to the middle
+/// of its range. They lead out of the limits only if all turns do.
+double preferred_turn(const PostureSymmetries& symmetries, Index j, double least, double greatest) {
+  const double lower = symmetries.lower[j], upper = symmetries.upper[j];
+  const bool has_reference = symmetries.reference.size() > 0;
+  const double goal = has_reference ? symmetries.reference[j] : (lower + upper) / 2;
+  double turn = kTurn_rad * std::round((goal - (least + greatest) / 2) / kTurn_rad);
+  while (greatest + turn > upper) turn -= kTurn_rad;
+  while (least + turn < lower) turn += kTurn_rad;
+  if (has_reference && robot::wound_turns(lower, upper, goal, goal) != 0) return turn;
+  return turn - kTurn_rad * robot::wound_turns(lower, upper, least + turn, greatest + turn);
+}
+
+bool is_inside(const PostureSymmetries& symmetries, const JointRows& path) {
+  return (path.colwise().minCoeff().transpose().array() >= symmetries.lower.array()).all() &&
+         (path.colwise().maxCoeff().transpose().array() <= symmetries.upper.array()).all();
+}
+
+/// Returns true if the flip is one of the arm and leaves the palm where it is.
 bool preserves_palm(const robot::SphericalFlip& flip, const RobotModel& robot) {
+  if (!robot::joint_moves_frame(robot, flip.last, robot.palm_frame)) return false;  // of a finger
   std::mt19937_64 random(1);
-  const JointVector q = random_start(robot, random);
   std::vector<Pose> poses, flipped;
-  robot::forward_kinematics(robot, q, poses);
-  robot::forward_kinematics(robot, robot::apply_flip(flip, q), flipped);
-  return poses[robot.palm_frame].isApprox(flipped[robot.palm_frame], kSymmetryTolerance);
+  for (int k = 0; k < kSymmetryTestPostures; ++k) {
+    const JointVector q = random_start(robot, random);
+    robot::forward_kinematics(robot, q, poses);
+    robot::forward_kinematics(robot, robot::apply_flip(flip, q), flipped);
+    const Pose &palm = poses[robot.palm_frame], &moved = flipped[robot.palm_frame];
+    if ((palm.translation() - moved.translation()).norm() > kSamePlace_m ||
+        angle_between(Quat(palm.linear()), Quat(moved.linear())) > kSameTurn_rad)
+      return false;
+  }
+  return true;
 }
 
 template <class Preserved>
@@ -81,9 +111,9 @@ PostureSymmetries find_symmetries(const MappingProblem& problem, const Preserved
     if (std::ssize(symmetries.flips) == kMaxFlips) break;
     if (is_preserved(flip)) symmetries.flips.push_back(flip);
   }
-  std::vector<Index>& multi_turn = symmetries.multi_turn_joints;
-  for (Index j = 0; j < robot.lower.size() && std::ssize(multi_turn) < kMaxMultiTurnJoints; ++j) {
-    if (robot.upper[j] - robot.lower[j] > 2 * pi) multi_turn.push_back(j);
+  for (int j = 0; j < robot.lower.size(); ++j) {
+    if (robot.upper[j] - robot.lower[j] > kTurn_rad && !robot::is_prismatic(robot, j))
+      symmetries.multi_turn_joints.push_back(j);
   }
   return symmetries;
 }
@@ -117,7 +147,7 @@ bool same_up_to_symmetry(const PostureSymmetries& symmetries, const JointVector&
   for (const JointVector& posture : flip_combinations(symmetries, b)) {
     double difference = 0;
     for (Index j = 0; j < a.size() && difference < tolerance; ++j) {
-      difference = std::max(difference, std::abs(std::remainder(a[j] - posture[j], 2 * pi)));
+      difference = std::max(difference, std::abs(std::remainder(a[j] - posture[j], kTurn_rad)));
     }
     if (difference < tolerance) return true;
   }
@@ -127,29 +157,9 @@ bool same_up_to_symmetry(const PostureSymmetries& symmetries, const JointVector&
 std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries,
                                              const JointVector& q) {
   std::vector<JointVector> postures;
-  for (JointVector posture : flip_combinations(symmetries, q)) {
-    // Moves the joint to the first whole turn above the lower limit.
-    const auto turn_inside = [&](Index j) {
-      posture[j] -= 2 * pi * std::floor((posture[j] - symmetries.lower[j]) / (2 * pi));
-    };
-    for (const Index j : symmetry_joints(symmetries)) {
-      if (posture[j] < symmetries.lower[j] || posture[j] > symmetries.upper[j]) turn_inside(j);
-    }
-    std::ranges::for_each(symmetries.multi_turn_joints, turn_inside);
-    std::vector<JointVector> turned{posture};
-    for (const Index j : symmetries.multi_turn_joints) {
-      if (posture[j] + 2 * pi > symmetries.upper[j]) continue;
-      for (std::ptrdiff_t k = 0, count = std::ssize(turned); k < count; ++k) {
-        turned.push_back(turned[k]);
-        turned.back()[j] += 2 * pi;
-      }
-    }
-    for (JointVector& inside : turned) {
-      if ((inside.array() >= symmetries.lower.array()).all() &&
-          (inside.array() <= symmetries.upper.array()).all()) {
-        postures.push_back(std::move(inside));
-      }
-    }
+  for (const JointVector& posture : flip_combinations(symmetries, q)) {
+    const JointRows turned = turned_towards_reference(symmetries, posture.transpose());
+    if (is_inside(symmetries, turned)) postures.push_back(turned.row(0).transpose());
   }
   std::ranges::stable_sort(postures, {}, [&](const JointVector& p) {
     return symmetries.reference.size() > 0 ? preference_of(symmetries, p.transpose())
@@ -158,27 +168,37 @@ std::vector<JointVector> equivalent_postures(const PostureSymmetries& symmetries
   return postures;
 }
 
+JointRows turned_towards_reference(const PostureSymmetries& symmetries, JointRows path) {
+  for (const Index j : symmetry_joints(symmetries)) {
+    auto column = path.col(j).array();
+    column += preferred_turn(symmetries, j, column.minCoeff(), column.maxCoeff());
+  }
+  return path;
+}
+
+JointVector turned_off_limits(const PostureSymmetries& symmetries, const JointRows& path,
+                              JointVector q) {
+  for (const Index j : symmetries.multi_turn_joints) {
+    const bool at_upper = path.col(j).maxCoeff() >= symmetries.upper[j];
+    const bool at_lower = path.col(j).minCoeff() <= symmetries.lower[j];
+    if (at_upper && q[j] - kTurn_rad >= symmetries.lower[j]) q[j] -= kTurn_rad;
+    if (at_lower && q[j] + kTurn_rad <= symmetries.upper[j]) q[j] += kTurn_rad;
+  }
+  return q;
+}
+
 JointRows preferred_equivalent(const PostureSymmetries& symmetries, const JointRows& path) {
-  if (symmetries.reference.size() == 0) return path;
-  const std::vector<Index> joints = symmetry_joints(symmetries);
-  JointRows preferred = path;
-  Preference least = preference_of(symmetries, path);
+  JointRows preferred = turned_towards_reference(symmetries, path);
+  if (symmetries.reference.size() == 0) return preferred;
+  Preference least = preference_of(symmetries, preferred);
   const std::size_t combinations = std::size_t{1} << symmetries.flips.size();
-  for (std::size_t k = 0; k < combinations; ++k) {
+  for (std::size_t k = 1; k < combinations; ++k) {
     JointRows equivalent(path.rows(), path.cols());
     for (Index f = 0; f < path.rows(); ++f)
       equivalent.row(f) = flip_combinations(symmetries, path.row(f).transpose())[k].transpose();
-    for (const Index j : joints) {
-      auto column = equivalent.col(j).array();
-      column += 2 * pi * std::round((symmetries.reference[j] - column.mean()) / (2 * pi));
-      if (column.maxCoeff() > symmetries.upper[j]) column -= 2 * pi;
-      if (column.minCoeff() < symmetries.lower[j]) column += 2 * pi;
-    }
-    const bool inside =
-        (equivalent.colwise().minCoeff().transpose().array() >= symmetries.lower.array()).all() &&
-        (equivalent.colwise().maxCoeff().transpose().array() <= symmetries.upper.array()).all();
+    equivalent = turned_towards_reference(symmetries, std::move(equivalent));
     const Preference preference = preference_of(symmetries, equivalent);
-    if (!inside || preference >= least) continue;
+    if (!is_inside(symmetries, equivalent) || preference >= least) continue;
     least = preference;
     preferred = std::move(equivalent);
   }

@@ -36,12 +36,13 @@ std::vector<Window> windows_around(const std::vector<Finding>& findings,
 /// Returns the solution at `frames`, of which those outside the window are held. The solve starts
 /// from the path plus `change` [frames, n] inside the window; without rows it is zero.
 JointRows solve_window(const MappingProblem& problem, const std::vector<std::size_t>& frames,
-                       const Window& window, const JointRows& path, const Vec3& offset,
-                       const JointRows& change, const MovementCost& cost,
-                       const solve::MovementOptions& options) {
+                       const Window& window, const JointRows& path, const JointRows& change,
+                       const MovementCost& cost, const solve::MovementOptions& options) {
   const MappingProblem part = problem_at_frames(problem, frames);
   const PathProblem of_part(part, cost);
-  const JointRows before = of_part.with_offset(rows_at(path, frames), offset);
+  const JointRows rows = rows_at(path, frames);
+  const JointRows offsets = of_part.has_offsets ? wrist_offsets(part, rows) : JointRows();
+  const JointRows before = of_part.with_offsets(rows, offsets);
   const auto moves = [&](std::ptrdiff_t frame) {
     return frame >= window.first && frame < window.end;
   };
@@ -64,7 +65,6 @@ JointRows solve_window(const MappingProblem& problem, const std::vector<std::siz
 
 JointPath re_solve_windows(const MappingProblem& problem, const JointPath& path,
                            const std::vector<Window>& windows, const MapOptions& options) {
-  const Vec3 offset = mean_wrist_offset(problem, path.position);
   JointPath resolved = path;
   for (const Window& window : windows) {
     const auto begin = std::max<std::ptrdiff_t>(0, window.first - kHeldFrames);
@@ -76,8 +76,8 @@ JointPath re_solve_windows(const MappingProblem& problem, const JointPath& path,
     for (std::size_t& frame : coarse) frame += begin;
     const auto solve = [&](const std::vector<std::size_t>& frames, const JointRows& change,
                            const solve::MovementOptions& solver) {
-      return solve_window(problem, frames, window, path.position, offset, change,
-                          options.movement_cost, solver);
+      return solve_window(problem, frames, window, path.position, change, options.movement_cost,
+                          solver);
     };
     const JointRows change =
         solve(coarse, {}, options.movement_solver) - rows_at(path.position, coarse);

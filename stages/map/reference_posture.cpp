@@ -53,6 +53,34 @@ HumanMotion rest_and_reach(Side side) {
   return motion;
 }
 
+/// Returns a posture at rest and the one in the reach to which it leads.
+CandidatePath with_reach(const MappingProblem& problem, const solve::Minimum& at_rest,
+                         const MapOptions& options, MappingScratch& scratch) {
+  CandidatePath path{JointRows(2, at_rest.x.size()), at_rest.value};
+  path.q.row(0) = at_rest.x.transpose();
+  path.q.row(1) =
+      posture_from_rest(problem_at_frames(problem, {1}), at_rest.x, options, scratch).transpose();
+  return path;
+}
+
+/// Returns a posture at rest and in the reach on the sides and with the turns that are nearest to
+/// the reference. A flip that is only about a symmetry is a start to descend from; it must cost no
+/// more than the share.
+CandidatePath nearest_to_home(const MappingProblem& problem, const solve::Minimum& at_rest,
+                              const MapOptions& options, MappingScratch& scratch) {
+  CandidatePath path = with_reach(problem, at_rest, options, scratch);
+  path.q = preferred_equivalent(find_posture_symmetries(problem), path.q);
+  const PostureSymmetries of_palm = find_palm_symmetries(problem);
+  const JointRows flipped = preferred_equivalent(of_palm, path.q);
+  if (flipped == path.q) return path;
+  const solve::Minimum found =
+      solve_frame(problem, 0, flipped.row(0).transpose(), options.frame_solver, scratch);
+  if (found.value > (1 + options.branch_share) * at_rest.value) return path;
+  CandidatePath other = with_reach(problem, found, options, scratch);
+  other.q = turned_towards_reference(of_palm, std::move(other.q));
+  return other;
+}
+
 /// Returns true if elbow, wrist and palm are at the same places in two postures [1, n].
 bool places_links_alike(const robot::Robot& robot, const JointRows& one, const JointRows& other) {
   std::vector<Pose> of_one, of_other;
@@ -92,14 +120,9 @@ Reference find_reference(const robot::Robot& robot, const MapOptions& options,
   const std::vector<solve::Minimum> minima =
       search_frame(problem, 0, kReferenceStarts, kReferenceMinima,
                    thorough_stages(options.frame_solver), kReferenceSeed, scratch);
-  const PostureSymmetries symmetries = find_posture_symmetries(problem);
   std::vector<CandidatePath> postures;
   for (const solve::Minimum& minimum : minima) {
-    JointRows rest_and_reach(2, minimum.x.size());
-    rest_and_reach.row(0) = minimum.x.transpose();
-    rest_and_reach.row(1) =
-        posture_from_rest(problem_at_frames(problem, {1}), minimum.x, options, scratch).transpose();
-    CandidatePath posture{preferred_equivalent(symmetries, rest_and_reach), minimum.value};
+    CandidatePath posture = nearest_to_home(problem, minimum, options, scratch);
     const bool known = std::ranges::any_of(postures, [&](const CandidatePath& other) {
       return places_links_alike(robot, other.q, posture.q);
     });

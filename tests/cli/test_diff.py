@@ -148,6 +148,12 @@ class Diff(FewCase):
         self.assertEqual(report["branch_changes"], [{"plan": name, "change": said}])
         row, = [row for row in report["rows"] if row["plan"] == name]
         self.assertEqual(row["first"]["branch_words"], words)
+        self.assertEqual({tuple(other["first"]["branch_words"]) for other in report["rows"]}, {tuple(words)})
+        plans = len(report["rows"])
+        self.assertGreater(plans, 2)
+        listed = morphe("list", self.other).stdout
+        self.assertEqual(re.findall(r"\n  branch: .*", listed), [f"\n  branch: {said}, unlike {plans - 1} of {plans} plans"])
+        self.assertNotIn("  branch: ", morphe("list", self.plain / "plans.h5").stdout)
         self.assertEqual(row["second"]["branch"], row["first"]["branch"] ^ 1)
         self.assertRegex(self.succeeds("list", self.other).stdout, rf"\n  1 in shoulder {opposite}, .*: {name}\n")
 
@@ -187,7 +193,7 @@ class Diff(FewCase):
         self.run_json("--set", "map.humanlike_arm=100")
         shutil.copy(self.out / "plans.h5", self.other)
         report = json.loads(self.diff("--json").stdout)
-        self.assertEqual(report["config_changes"], ["map.humanlike_arm 1 -> 100"])
+        self.assertEqual(report["config_changes"], ["map.humanlike_arm 3 -> 100"])
         a = report["figures"]["humanlikeness"]
         self.assertLess(a["median_second"], a["median_first"])
         with h5py.File(self.plain / "plans.h5") as one, h5py.File(self.other) as other:

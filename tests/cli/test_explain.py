@@ -66,14 +66,37 @@ class Explain(support.CommandCase):
                 self.assertLessEqual(posture[figure]["least"], posture[figure]["driven"] + 0.02)
             self.assertLessEqual(posture["palm_of_fingers"], posture["palm"]["least"])
             offset = posture["wrist_offset"]
-            self.assertGreater(offset["rms"], offset["after_shift"])
-            self.assertGreaterEqual(offset["after_shift"], offset["after_scale"])
+            self.assertGreater(offset["rms"], offset["after"]["base"])
+            for change in ("links", "hand", "palm_angle", "tips"):
+                self.assertGreaterEqual(offset["after"][change], offset["after"][f"{change}_and_base"])
             # PA10 (docs of configs/robots/pa10.yaml).
-            self.assertAlmostEqual(offset["upper_arm"], 0.45, 6)
-            self.assertAlmostEqual(offset["forearm"], 0.48, 6)
+            for length, published in zip(offset["lengths"], (0.45, 0.48)):
+                self.assertAlmostEqual(length, published, 6)
+            self.assertLessEqual(offset["from_human"], sum(offset["parts"].values()))
             judged += 1
         self.assertGreater(judged, 0)
         self.assertIsNone(self.json_of("explain", self.run_folder)["plans"][0]["posture"])
+
+    def causes_of_upper_arm(self, *settings):
+        """The causes in each plan of the shipped recordings whose figure is not small."""
+        folder = self.folder / "construct"
+        self.succeeds("run", support.REFERENCE, "--out", folder, *settings)
+        with h5py.File(folder / "plans.h5") as file:
+            names = list(file["plans"])
+        figures = [self.json_of("explain", folder, name)["plans"][0]["posture"]["upper_arm"] for name in names]
+        return [figure["causes"] for figure in figures if figure["causes"] != ["small"]]
+
+    def test_a_base_moved_by_120_mm_is_the_placement(self):
+        """The shipped one is 300 mm above the person's shoulder."""
+        causes = self.causes_of_upper_arm("--set", "placement.shoulder_offset=[0.10, -0.30, 0.18]")
+        self.assertGreater(len(causes), 2)
+        for found in causes:
+            self.assertIn("placement", found)
+
+    def test_an_arm_without_a_weight_is_due_to_weights(self):
+        causes = self.causes_of_upper_arm("--set", "map.humanlike_arm=0", "--set", "map.palm_direction=0",
+                                          "--set", "map.wrist_motion=0")
+        self.assertGreater(causes.count(["weights_or_solver"]), len(causes) / 2)
 
     def test_courses_of_repair_are_stored(self):
         with h5py.File(self.run_folder / "plans.h5") as file:

@@ -59,7 +59,8 @@ class Robots(CommandCase):
                                 if "certificate" in plan]
                 angles = sorted(float(c["upper_arm_error_mean"]) for c in certificates
                                 if not math.isnan(c["upper_arm_error_mean"]))
-                self.assertLess(math.degrees(angles[len(angles) // 2]), 25, name)
+                # The FR3 hangs where its palm is a right angle off, and trades its upper arm for it.
+                self.assertLess(math.degrees(angles[len(angles) // 2]), 35 if name == "fr3" else 15, name)
 
     def test_the_door_recordings_on_other_robots(self):
         for name in ("ur5e_shadow", "iiwa14_allegro"):

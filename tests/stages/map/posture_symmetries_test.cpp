@@ -145,12 +145,72 @@ TEST(PreferredEquivalent, StaysWithinTheLimits) {
   EXPECT_EQ(preferred_equivalent(twins, path), path);  // the flip would leave the limits
 }
 
+/// A bench whose posture is small, so that every joint has a turn in one direction at least.
+TwinBench unwound_ur5e() {
+  TwinBench bench("ur5e_shadow");
+  bench.posture = 0.1 * (bench.robot.upper + bench.robot.lower);
+  return bench;
+}
+
+TEST(WholeTurns, OfAllJointsAreUndone) {
+  TwinBench bench = unwound_ur5e();
+  PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  ASSERT_EQ(twins.multi_turn_joints, (std::vector<Eigen::Index>{0, 1, 3, 4, 5}));
+  JointRows path(2, bench.posture.size());
+  path.row(0) = bench.posture.transpose();
+  path.row(1) = bench.posture.transpose().array() + 0.1;
+  JointRows wound = path;
+  for (const Eigen::Index j : twins.multi_turn_joints)
+    wound.col(j).array() += path(1, j) > 0.05 ? -2 * pi : 2 * pi;
+  for (const JointVector& reference : {JointVector(), bench.posture}) {
+    twins.reference = reference;
+    EXPECT_LT((preferred_equivalent(twins, wound) - path).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(WholeTurns, AreNearestToTheReferenceUnlessThatWindsUp) {
+  TwinBench bench = unwound_ur5e();
+  PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  twins.reference = bench.posture;
+  JointRows path = bench.posture.transpose();
+  path(0, 5) = -3;
+  twins.reference[5] = 3;  // 3.28 is nearer to it than -3, and hardly farther from zero
+  EXPECT_NEAR(turned_towards_reference(twins, path)(0, 5), 2 * pi - 3, 1e-9);
+  path(0, 5) = -2;  // 4.28 is nearer to it, but wound up
+  EXPECT_NEAR(turned_towards_reference(twins, path)(0, 5), -2, 1e-9);
+  twins.reference[5] = 6;  // asks for a joint that is wound up
+  EXPECT_NEAR(turned_towards_reference(twins, path)(0, 5), 2 * pi - 2, 1e-9);
+}
+
+TEST(WholeTurns, LeadAwayFromALimit) {
+  TwinBench bench = unwound_ur5e();
+  const PostureSymmetries twins = find_posture_symmetries(bench.problem);
+  JointVector q = bench.posture;
+  q[5] = 6;
+  JointRows path = q.transpose().replicate(2, 1);
+  path(1, 5) = bench.robot.upper[5];
+  path(1, 0) = bench.robot.upper[0];
+  path(1, 2) = bench.robot.upper[2];  // its range is a whole turn
+  const JointVector turned = turned_off_limits(twins, path, q);
+  EXPECT_NEAR(turned[5], 6 - 2 * pi, 1e-9);
+  EXPECT_NEAR(turned[0], q[0] - 2 * pi, 1e-9);
+  EXPECT_EQ(turned[2], q[2]);
+}
+
 TEST(PalmSymmetries, AreFoundWhereLinksBetweenCount) {
   TwinBench bench("pa10_dlr_hit2");
   bench.problem.objective.get<humanlike::NaturalPosture>().weight = 1;
   bench.problem.objective.get<humanlike::NaturalPosture>().joints.push_back({1, -1, 0.1, {}});
   EXPECT_LT(find_posture_symmetries(bench.problem).flips.size(), 3u);
   EXPECT_EQ(find_palm_symmetries(bench.problem).flips.size(), 3u);
+}
+
+TEST(PalmSymmetries, AreFoundWhereADescriptionRoundsItsAngles) {
+  const TwinBench rm75("rm75_inspire");  // 1.5708 for π/2
+  EXPECT_TRUE(find_posture_symmetries(rm75.problem).flips.empty());
+  EXPECT_EQ(find_palm_symmetries(rm75.problem).flips.size(), 3u);
+  const TwinBench xarm7("xarm7_leap");  // elbow and wrist are offset by 53 to 76 mm
+  EXPECT_EQ(find_palm_symmetries(xarm7.problem).flips.size(), 1u);
 }
 
 TEST(Twins, NoneWhereJointAnglesThemselvesCount) {
