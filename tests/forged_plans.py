@@ -465,6 +465,32 @@ def released_late(f):
     f.target().attrs["release_s"] += 1e-3 * f.size
     need("transport" in [text(n) for n in f.plan["phases/name"][()]])
 
+def carried(f):
+    """The target of a plan that carries it, and a sample of its recorded way while it does."""
+    target = f.target()
+    need("attached_frame" not in target.attrs and len(target["time"]) > 2)
+    need(f.plan["trajectory/demonstration_time"][-1] > target["time"][len(target["time"]) // 2])
+    return target, len(target["time"]) // 2
+
+@lie("scene")
+def an_obstacle_on_the_way_of_the_target(f):
+    target, half = carried(f)
+    need("table" in f.plan["scene"])
+    f.plan["scene"].copy("table", "bead")
+    bead = f.plan["scene/bead"]
+    bead.attrs["shape"], bead.attrs["size"] = np.bytes_("sphere"), np.array([2e-3 * min(f.size, 20)])
+    bead["position"][0], bead["orientation"][0] = target["position"][half], [1, 0, 0, 0]
+
+@lie("scene")
+def released_in_the_air(f):
+    target, half = carried(f)
+    k = [text(n) for n in f.plan["phases/name"][()]]
+    need("transport" in k)
+    last = len(k) - 1 - k[::-1].index("transport")
+    ends = f.plan["phases/end_s"][()]
+    ends[last] = target.attrs["release_s"] = max(f.plan["phases/begin_s"][last], ends[last] - 0.1 * min(f.size, 10))
+    f.plan["phases/end_s"][...] = ends
+
 @lie("scene")
 def another_object_carried(f):
     need("table" in f.plan["scene"] and text(f.plan.attrs["target"]) != "table")

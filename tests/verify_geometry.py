@@ -116,6 +116,58 @@ def segment_solid_distance(shape, size, p, p_end):
         low, high = np.where(left, low, low + third), np.where(left, high - third, high)
     return np.minimum(at((low + high) / 2), np.minimum(at(low * 0), at(low * 0 + 1)))
 
+def nearest_in(shape, size, p):
+    """The points of a solid that are nearest to points [N, 3], both in its frame."""
+    if shape == "box":
+        return np.clip(p, -np.asarray(size) / 2, np.asarray(size) / 2)
+    if shape == "cylinder":
+        shrink = np.minimum(1, size[0] / (np.hypot(p[:, 0], p[:, 1]) + 1e-99))
+        return np.c_[p[:, :2] * shrink[:, None], np.clip(p[:, 2], -size[1] / 2, size[1] / 2)]
+    axis = np.clip(p[:, 2:], *(np.array([-1, 1]) * (size[1] / 2 if shape == "capsule" else 0))) * [0, 0, 1]
+    return axis + (p - axis) * np.minimum(1, size[0] / (np.linalg.norm(p - axis, axis=1) + 1e-99))[:, None]
+
+def farthest_in(shape, size, way):
+    """The points of a solid that are farthest in directions [N, 3]."""
+    if shape == "box":
+        return np.where(way < 0, -0.5, 0.5) * size
+    if shape == "cylinder":
+        flat = size[0] * way[:, :2] / (np.hypot(way[:, 0], way[:, 1]) + 1e-99)[:, None]
+        return np.c_[flat, np.where(way[:, 2] < 0, -0.5, 0.5) * size[1]]
+    half = size[1] / 2 if shape == "capsule" else 0
+    return size[0] * way + np.where(way[:, 2:] < 0, -half, half) * [0, 0, 1]
+
+def radius_about_centre(shape, size):
+    """Of a ball that contains the solid."""
+    return {"sphere": size[0], "box": np.linalg.norm(size) / 2, "capsule": size[0] + size[-1] / 2,
+            "cylinder": np.hypot(size[0], size[-1] / 2)}[shape]
+
+def projected_points(a, b, turn, place, rounds=20_000, still=1e-7):
+    """The nearest points of convex solids, as below, by projections on one and the other until they
+    stand still, which takes long for faces that are nearly parallel."""
+    on_a, on_b, left = place.copy(), place.copy(), np.arange(len(place))
+    for _ in range(rounds):
+        before, turned, placed = on_b[left], turn[left], place[left]
+        on_a[left] = nearest_in(*a, before)
+        own = nearest_in(*b, np.einsum("nji,nj->ni", turned, on_a[left] - placed))
+        on_b[left] = np.einsum("nij,nj->ni", turned, own) + placed
+        left = left[np.abs(on_b[left] - before).max(axis=1) > still]
+        if len(left) == 0:
+            break
+    return on_a, on_b
+
+def solids_distance(a, b, turn, place):
+    """Least distance of convex solids (shape, size), with b at turn [N, 3, 3] and place [N, 3] in the
+    frame of a. Of those that overlap minus the way out along an axis of one of them."""
+    rotate = lambda p: np.einsum("nij,nj->ni", turn, p)
+    back = lambda p: np.einsum("nji,nj->ni", turn, p)
+    on_a, on_b = projected_points(a, b, turn, place)
+    distance = np.linalg.norm(on_a - on_b, axis=1)
+    axes = [sign * np.tile(e, (len(place), 1)) for e in np.eye(3) for sign in (1, -1)]
+    ways = np.stack(axes + [rotate(way) for way in axes])
+    gaps = np.stack([np.einsum("ni,ni->n", way, place + rotate(farthest_in(*b, -back(way))) - farthest_in(*a, way))
+                     for way in ways])
+    return np.where(distance < 1e-7, np.minimum(gaps.max(axis=0), 0), distance)
+
 class Mesh:
     """Triangles hang together in parts by shared edges; a part whose edges all have an even number
     of triangles is solid, any other a sheet."""

@@ -7,7 +7,7 @@ from verify_geometry import Mesh, goals_at, segment_solid_distance, text
 from verify_promises import pose_at
 
 SAME, POINT, AXIS, UNIT = 1e-6, 1e-5, 2e-5, 1e-6
-TOUCHES = 0.002  # m of gap
+GAP, TILT, SLIDE = 2e-4, np.radians(60), 0.015  # of a contact that touches; m, rad, m
 
 def check_grasp(robot, plan, motion, phases, poses, report):
     target = text(plan.attrs["target"])
@@ -79,6 +79,9 @@ class Surface:
 def angle(a, b):
     return np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b)
 
+def touches(contacts):
+    return (contacts["signed_distance"][()] <= GAP) & (contacts["pad_angle"][()] <= TILT)
+
 def check_contacts(robot, plan, here, object_from_base, report):
     contacts, surface = plan["grasp/contacts"], Surface(plan["scene"][text(plan.attrs["target"])])
     names, pads = [text(t) for t in robot.tip_names], robot.pads()
@@ -132,6 +135,15 @@ def check_contacts(robot, plan, here, object_from_base, report):
                   @ robot.tips["transform"][names.index(tip), :3, 0])
         if not abs(turned - angle(middle, normal)) <= 1e-6:
             note("pad_angle", turned, angle(middle, normal))
+        if (text(contacts["state"][k]) == "touching") != touches(contacts)[k]:
+            note("state", np.nan, np.nan)
+        shown = contacts["demonstrated_point"][k]
+        if text(contacts["origin"][k]) == "auto_closed":
+            off = 0 if np.isnan(shown).all() else np.inf
+        else:
+            off = max(abs(surface.distance(shown, shown)[0]), np.linalg.norm(asked - shown) - SLIDE)
+        if not off <= POINT:
+            note("demonstrated_point", off, POINT)
 
 def left_over(wrench, ways):
     """Norm of what moments, each up to its way's length, leave of a wrench: one after the other."""
@@ -149,7 +161,7 @@ def check_squeeze(robot, plan, here, base_from_object, motion, sample, report):
     """Forces within their cones that balance, torques that make them, beside the trajectory."""
     grasp, contacts, quality = plan["grasp"], plan["grasp/contacts"], plan["grasp/quality"].attrs
     tips = [text(t) for t in contacts["tip"][()]]
-    touching = np.flatnonzero(contacts["signed_distance"][()] <= TOUCHES)
+    touching = np.flatnonzero(touches(contacts))
     presses = set(touching) if len(touching) >= 2 else set()
     force, friction = contacts["normal_force"][()], contacts["friction_force"][()]
     for k, tip in enumerate(tips):

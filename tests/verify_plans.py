@@ -11,7 +11,7 @@ import h5py
 import numpy as np
 
 from verify_geometry import (Mesh, Robot, asked_points, columns, goals_at, in_base, segment_distance,
-                             segment_solid_distance, signed_distance, text)
+                             radius_about_centre, segment_solid_distance, signed_distance, solids_distance, text)
 from verify_branches import check_branch
 from verify_grasps import check_grasp
 from verify_promises import check_promises, check_transfer
@@ -22,6 +22,8 @@ RELATIVE, REST, DISTANCE = 1e-6, 1e-9, 1e-6  # of a limit; rad/s and rad/s^2; m
 TRANSFER_END = 1e-6  # rad or m that an approach or a retreat may be off the trajectory where they meet
 COVERAGE = 1e-6  # s of the goals' time that may be left out at an end
 BETWEEN = 1e-4  # m that a tip may be farther from its goal between samples; of a sample's clearance
+SUPPORT_NOISE = 2e-3  # m of overlap, or of height, of what stands on something when it is taken or put down
+RELEASE_HEIGHT = 1e-2  # m above everything at which it may be released
 DERIVATIVES = ("position", "velocity", "acceleration")
 EXTREMES = ("velocity_ratio", "acceleration_ratio", "jerk_ratio")
 SMOOTHNESS = ("sparc_robot", "log_dimensionless_jerk_robot", "sparc_human", "log_dimensionless_jerk_human")
@@ -305,6 +307,70 @@ def into_carried(robot, group, motion, poses, time, substeps):
         return np.where((time < samples[taken])[:, None], recorded(points), moved)
     return into
 
+def into_target(robot, plan, group, motion, poses, time, substeps):
+    """As into_carried; of an approach or retreat, whose clock stands still, as at that end of the plan's motion."""
+    own = columns(plan["trajectory"], "demonstration_time", "position")
+    if np.array_equal(own["demonstration_time"], motion["demonstration_time"]):
+        return into_carried(robot, group, motion, poses, time, substeps)
+    at_samples = into_carried(robot, group, own, robot.frame_poses(own["position"]), own["demonstration_time"], 1)
+    turn, place = rigid(at_samples, len(own["position"]))
+    end = 0 if time[0] <= own["demonstration_time"][0] else -1
+    return lambda points: points @ turn[end].T + place[end]
+
+def rigid(into, count):
+    """Rotation [N, 3, 3] and translation [N, 3] of a function that takes points into an object's frame."""
+    place = into(np.zeros((count, 3)))
+    return np.stack([into(np.tile(axis, (count, 1))) - place for axis in np.eye(3)], axis=2), place
+
+def carried_pairs(robot, plan, motion, poses, time, substeps, report):
+    """The target and each other object, as judge() takes them, from when the target is taken on. Meshes are not judged."""
+    target, scene = text(plan.attrs["target"]), plan["scene"]
+    samples = plan["trajectory/demonstration_time"][()]
+    held = scene[target].attrs if target in scene else {}
+    taken = np.searchsorted(samples, held.get("attach_s", np.inf))
+    if taken == len(samples) or samples[taken] >= samples[-1] or text(held["shape"]) == "mesh":
+        return
+    released = min(len(samples) - 1, np.searchsorted(samples, held.get("release_s", np.inf)))
+    solid = lambda name: (text(scene[name].attrs["shape"]), scene[name].attrs.get("size"))
+    own = columns(plan["trajectory"], "demonstration_time", "position")
+    ways = [(into_target(robot, plan, scene[target], own, robot.frame_poses(own["position"]), samples, 1), samples),
+            (into_target(robot, plan, scene[target], motion, poses, time, substeps), time)]
+    clear, heights, stood = max(SUPPORT_NOISE, plan.attrs["required_clearance"]), [np.inf], False
+    for name in scene:
+        if name == target or solid(name)[0] == "mesh":
+            continue
+        def relative(way, times):
+            """The object in the frame of the target, and a lower bound of the distance."""
+            (turn, place), (other, at) = rigid(way, len(times)), rigid(into_object(scene[name], times), len(times))
+            back = np.einsum("nij,nkj->nik", turn, other)
+            centre = at - np.einsum("nij,nkj,nk->ni", other, turn, place)
+            bound = signed_distance(*solid(name), centre) - radius_about_centre(*solid(target))
+            return back, place - np.einsum("nij,nj->ni", back, at), bound
+        (turn, place, at_samples), (turns, places, bound) = (relative(*way) for way in ways)
+        close = at_samples < 2 * RELEASE_HEIGHT
+        at_samples[close] = solids_distance(solid(target), solid(name), turn[close], place[close])
+        until, since = support_times(at_samples, taken, released, samples, clear)
+        stood |= until > -np.inf
+        heights.append(at_samples[released])
+        begun = time >= samples[taken]
+        yield (name, np.where(begun, bound, np.inf),
+               lambda near: solids_distance(solid(target), solid(name), turns[near], places[near]),
+               (time <= until + 1e-9) | (time >= since - 1e-9) | ~begun)
+    names = list(plan["phases/name"].asstr())
+    in_flight = "transport" in names and held.get("release_s", np.inf) <= samples[-1] and len(motion["time"]) == len(samples)
+    if stood and in_flight and min(heights) > RELEASE_HEIGHT:
+        report.add("release", target, min(heights), RELEASE_HEIGHT)
+
+def support_times(distance, taken, released, samples, clear):
+    """Until when and from when the target may touch an object, from its distances at the samples."""
+    until, since = -np.inf, np.inf
+    is_clear = np.flatnonzero(distance[taken:released + 1] >= clear) + taken
+    if distance[taken] <= SUPPORT_NOISE:
+        until = samples[is_clear[0]] if len(is_clear) else np.inf
+    if distance[released] <= SUPPORT_NOISE:
+        since = samples[is_clear[-1]] if len(is_clear) else -np.inf
+    return until, since
+
 def touch_times(phases, time):
     named = lambda name: [(begin, end) for n, begin, end in phases if n == name]
     begins = named("preshape") or named("grasp") or [(np.inf, 0)]
@@ -353,13 +419,15 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
             lambda p: signed_distance(shape, size, p))
         exact = mesh.segment_distance if mesh else functools.partial(segment_solid_distance, shape, size)
         target = name == text(plan.attrs["target"])
-        into = into_carried(robot, group, motion, poses, time, substeps) if target else into_object(group, time)
+        into = into_target(robot, plan, group, motion, poses, time, substeps) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
             judge("object_collision", robot.capsule_names[i] + "/" + name,
                   outside((a + b) / 2) - halves[i] - radius,
                   lambda near: exact(a[near], b[near]) - radius,
                   window & target & bool(caps["may_touch_target"][i]), depth if i in pads else of_links)
+    for name, bound, exact, touching in carried_pairs(robot, plan, motion, poses, time, substeps, report):
+        judge("object_collision", text(plan.attrs["target"]) + "/" + name, bound, exact, touching, SUPPORT_NOISE)
     here = np.where(np.isinf(own[sampled]), np.nan, own[sampled])
     good = (np.abs(stored - here) <= BETWEEN) | (np.isnan(stored) & np.isnan(here))
     report.add_runs("clearance", "trajectory", ~good, np.abs(stored - here),

@@ -13,8 +13,10 @@ TargetState target_state_at(const CollisionWorld& world, double time_s) {
   return time_s > attached.end_s ? TargetState::released : TargetState::attached;
 }
 
-void attach_target(const std::vector<double>& demonstration_time, const JointRows& position,
-                   CollisionWorld& world) {
+namespace {
+
+void attach_to_frame(const std::vector<double>& demonstration_time, const JointRows& position,
+                     CollisionWorld& world) {
   world.attached = {};
   if (world.target < 0) return;
   const RobotModel& robot = *world.robot;
@@ -45,6 +47,14 @@ void attach_target(const std::vector<double>& demonstration_time, const JointRow
   if (release_sample == demonstration_time.end()) return;
   attached.end_s = *release_sample;
   attached.base_from_released = frame_at(release_sample) * attached.frame_from_object;
+}
+
+}  // namespace
+
+void attach_target(const std::vector<double>& demonstration_time, const JointRows& position,
+                   CollisionWorld& world) {
+  attach_to_frame(demonstration_time, position, world);
+  find_supports(demonstration_time, position, world);
 }
 
 }  // namespace morphe::collision

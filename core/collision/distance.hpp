@@ -63,4 +63,16 @@ double bounding_radius(const Solid& solid);
 /// `pose` is common_from_solid.
 Separation capsule_solid(const CapsuleBody& first, const Solid& solid, const Pose& pose);
 
+/// Computes the separation of two objects, whose poses are common_from_solid. For convex shapes see
+/// convex_distance(). A mesh counts as its triangles, which are exact if they do not touch the
+/// other object; a closed part also contains what is inside. If they do, the depth is the largest
+/// of the triangles' own overlaps and of the depths of the meshes' vertices and the other object's
+/// centre: an estimate, which may be too small between vertices. An invalid mesh is 1 m inside
+/// everything.
+Separation solid_solid(const Solid& first, const Pose& first_pose, const Solid& second,
+                       const Pose& second_pose);
+/// Returns a lower bound of the distance of two objects, from a sphere about each of them [m].
+double solid_distance_lower_bound(const Solid& first, const Pose& first_pose, const Solid& second,
+                                  const Pose& second_pose);
+
 }  // namespace morphe::collision

@@ -174,6 +174,17 @@ struct FclEngine::Trees {
     return trees.first_only;
   }
 
+  /// Records the collisions of a carried target, by solid_solid().
+  void judge_carried() {
+    if (!is_carried(world, time_s)) return;
+    for (int k = 0; k < std::ssize(shapes); ++k) {
+      if (k == world.target) continue;
+      PairSeparation pair = unmeasured(world, {world.target, k, true, true}, time_s);
+      measure(world, *scratch, pair);
+      if (pair.slack() < 0) colliding.push_back(pair);
+    }
+  }
+
   void query(const Eigen::Ref<const JointVector>& q, double query_time_s, bool until_first,
              CollisionScratch& buffers) {
     update_bodies(world, q, query_time_s, buffers);
@@ -191,7 +202,8 @@ struct FclEngine::Trees {
       if (shapes[k]) continue;
       for (int i = 0; i < std::ssize(poses); ++i) colliding.push_back({{i, k, true}, {}, 0});
     }
-    if (poses.empty()) return;
+    judge_carried();
+    if (poses.empty() || (first_only && !colliding.empty())) return;
     capsule_tree.update();
     capsule_tree.collide(this, visit_capsules);
     if (scene_objects.empty() || (first_only && !colliding.empty())) return;

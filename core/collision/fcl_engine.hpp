@@ -10,8 +10,8 @@ namespace morphe::collision {
 /// shrunk by the required distance, with FCL's dynamic trees as broad phase. FCL's depths and
 /// distances are not used: they are sometimes wrong, and some of its queries abort. FCL's meshes
 /// are hollow, so a capsule that touches no triangle is tested for being inside. A capsule that may
-/// penetrate a mesh deeper than its radius is judged by capsule_solid(). Each thread needs its own
-/// engine; the world must outlive it.
+/// penetrate a mesh deeper than its radius is judged by capsule_solid(), and a carried target by
+/// solid_solid(). Each thread needs its own engine; the world must outlive it.
 class FclEngine {
  public:
   /// Builds the trees of capsules and objects.

@@ -1,7 +1,6 @@
 #include "core/collision/motion_pairs.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "core/collision/constants.hpp"
 
@@ -19,10 +18,7 @@ double distance_bound(const CollisionWorld& world, const CollisionScratch& scrat
 }  // namespace
 
 PairSeparation MotionPairs::unmeasured(const BodyPair& bodies) const {
-  return {bodies,
-          {},
-          may_touch(bodies) ? -allowed_contact_depth_m(world, bodies.capsule)
-                            : world.tolerances.required_clearance};
+  return collision::unmeasured(world, bodies, part_s);
 }
 
 void MotionPairs::set_interval(double s0, double middle, double s1) {
@@ -65,8 +61,14 @@ double MotionPairs::relative_travel(int a, const double* levers_a, int b,
 
 double MotionPairs::pair_travel(const BodyPair& pair) const {
   const robot::Robot& robot = *world.robot;
-  const int frame = robot.capsules[pair.capsule].frame;
-  const double* levers = robot.capsule_motion_bounds.row(pair.capsule).data();
+  if (pair.first_is_object) {
+    const double carried_m = target_state == TargetState::attached
+                                 ? world.attached.motion_bounds.dot(scratch.travel)
+                                 : scratch.object_travel[pair.first];
+    return carried_m + scratch.object_travel[pair.other];
+  }
+  const int frame = robot.capsules[pair.first].frame;
+  const double* levers = robot.capsule_motion_bounds.row(pair.first).data();
   if (!pair.other_is_object) {
     return relative_travel(frame, levers, robot.capsules[pair.other].frame,
                            robot.capsule_motion_bounds.row(pair.other).data());
@@ -75,11 +77,13 @@ double MotionPairs::pair_travel(const BodyPair& pair) const {
     return relative_travel(frame, levers, world.attached.frame,
                            world.attached.motion_bounds.data());
   }
-  return scratch.body_travel[pair.capsule] + scratch.object_travel[pair.other];
+  return scratch.body_travel[pair.first] + scratch.object_travel[pair.other];
 }
 
 double MotionPairs::slack_lower_bound(const PairSeparation& pair) const {
-  const CollisionScratch::BoundingSphere& a = scratch.bounding_spheres[pair.capsule];
+  if (pair.first_is_object)
+    return carried_distance_bound(world, scratch, pair.other) - pair.required_distance_m;
+  const CollisionScratch::BoundingSphere& a = scratch.bounding_spheres[pair.first];
   const double padding_m = a.radius + pair.required_distance_m;
   if (!pair.other_is_object) {
     const CollisionScratch::BoundingSphere& b = scratch.bounding_spheres[pair.other];
@@ -130,6 +134,9 @@ void MotionPairs::list_pairs(const Excludes& excludes) {
   for (int i = 0; i < capsules; ++i)
     for (const int k : scratch.clusters[world.pairs.cluster_of(i)].near_objects)
       pairs.push_back({i, k, true});
+  if (!is_carried(world, part_s)) return;
+  for (int k = 0; k < std::ssize(world.scene->objects); ++k)
+    if (k != world.target) pairs.push_back({world.target, k, true, true});
 }
 
 /// Returns the parameter at which the demonstration time reaches `time_s`, by bisection.
@@ -143,8 +150,7 @@ double MotionPairs::parameter_at_time(double time_s) const {
 }
 
 bool MotionPairs::may_touch(const BodyPair& pair) const {
-  return contact_allowed && pair.other_is_object && pair.other == world.target &&
-         world.robot->capsules[pair.capsule].may_touch_target;
+  return collision::may_touch(world, pair, part_s);
 }
 
 void MotionPairs::for_each_part(const std::function<bool(double, double)>& part) {
@@ -158,8 +164,12 @@ void MotionPairs::for_each_part(const std::function<bool(double, double)>& part)
   scratch.object_travel.resize(world.scene->objects.size());
   const double begin_s = motion.demonstration_time(motion.begin);
   const double end_s = motion.demonstration_time(motion.end);
-  std::array<double, 4> borders{world.touch_begin_s, world.touch_end_s, world.attached.begin_s,
-                                world.attached.end_s};
+  std::vector<double> borders{world.touch_begin_s, world.touch_end_s, world.attached.begin_s,
+                              world.attached.end_s, world.carried.begin_s};
+  for (const SupportContact& contact : world.carried.supports) {
+    borders.push_back(contact.lifted_s);
+    borders.push_back(contact.lowered_s);
+  }
   for (double& border_s : borders) {
     const bool inside = begin_s < border_s && border_s < end_s;
     border_s = inside ? parameter_at_time(border_s) : motion.end;  // for NaN too
@@ -168,9 +178,8 @@ void MotionPairs::for_each_part(const std::function<bool(double, double)>& part)
   double from = motion.begin;
   for (const double border : borders) {
     if (!(border > from)) continue;
-    const double middle_s = motion.demonstration_time(0.5 * (from + border));
-    contact_allowed = middle_s >= world.touch_begin_s && middle_s <= world.touch_end_s;
-    target_state = target_state_at(world, middle_s);
+    part_s = motion.demonstration_time(0.5 * (from + border));
+    target_state = target_state_at(world, part_s);
     if (!part(from, border)) return;
     from = border;
   }

@@ -14,7 +14,7 @@ struct MotionPairs {
   const JointMotion& motion;
   CollisionScratch& scratch;
 
-  bool contact_allowed = false;  ///< true if contact is allowed in the current part
+  double part_s = kUnknown;  ///< demonstration time in the middle of the current part
   TargetState target_state = TargetState::as_recorded;  ///< state in the current part
   JointRows cluster_levers = {};  ///< [clusters, n] the largest motion bounds of their capsules
 

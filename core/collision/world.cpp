@@ -120,6 +120,14 @@ void visit_near(const CollisionWorld& world, double time_s, CollisionScratch& sc
       if (!visit(pair)) return;
     }
   }
+  if (!is_carried(world, time_s)) return;
+  for (int k = 0; k < std::ssize(world.scene->objects); ++k) {
+    if (k == world.target || (!with_touching && carried_may_touch(world, k, time_s))) continue;
+    PairSeparation pair = unmeasured(world, {world.target, k, true, true}, time_s);
+    if (carried_distance_bound(world, scratch, k) - pair.required_distance_m >= limit) continue;
+    measure(world, scratch, pair);
+    if (!visit(pair)) return;
+  }
 }
 
 void place_clusters(const CollisionWorld& world, CollisionScratch& scratch) {
@@ -151,6 +159,27 @@ double allowed_contact_depth_m(const CollisionWorld& world, int capsule) {
 double required_distance_m(const CollisionWorld& world, int capsule, int object, double time_s) {
   return may_touch(world, capsule, object, time_s) ? -allowed_contact_depth_m(world, capsule)
                                                    : world.tolerances.required_clearance;
+}
+
+PairSeparation unmeasured(const CollisionWorld& world, const BodyPair& bodies, double time_s) {
+  const double required_m =
+      bodies.first_is_object   ? carried_required_distance_m(world, bodies.other, time_s)
+      : bodies.other_is_object ? required_distance_m(world, bodies.first, bodies.other, time_s)
+                               : world.tolerances.required_clearance;
+  return {bodies, {}, required_m};
+}
+
+bool may_touch(const CollisionWorld& world, const BodyPair& pair, double time_s) {
+  return pair.first_is_object   ? carried_may_touch(world, pair.other, time_s)
+         : pair.other_is_object ? may_touch(world, pair.first, pair.other, time_s)
+                                : false;
+}
+
+double carried_distance_bound(const CollisionWorld& world, const CollisionScratch& scratch,
+                              int object) {
+  return solid_distance_lower_bound(solid_at(world, world.target),
+                                    scratch.object_poses[world.target], solid_at(world, object),
+                                    scratch.object_poses[object]);
 }
 
 void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
@@ -191,7 +220,12 @@ void update_bodies_from_frames(const CollisionWorld& world, double time_s,
 }
 
 void measure(const CollisionWorld& world, const CollisionScratch& scratch, PairSeparation& pair) {
-  const CapsuleBody& first = scratch.bodies[pair.capsule];
+  if (pair.first_is_object) {
+    pair.separation = solid_solid(solid_at(world, pair.first), scratch.object_poses[pair.first],
+                                  solid_at(world, pair.other), scratch.object_poses[pair.other]);
+    return;
+  }
+  const CapsuleBody& first = scratch.bodies[pair.first];
   pair.separation = pair.other_is_object ? capsule_solid(first, solid_at(world, pair.other),
                                                          scratch.object_poses[pair.other])
                                          : capsule_capsule(first, scratch.bodies[pair.other]);
@@ -253,7 +287,8 @@ double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector
 }
 
 std::string first_body_name(const CollisionWorld& world, const BodyPair& pair) {
-  return world.robot->capsules[pair.capsule].name;
+  return pair.first_is_object ? world.scene->objects[pair.first].name
+                              : world.robot->capsules[pair.first].name;
 }
 
 std::string second_body_name(const CollisionWorld& world, const BodyPair& pair) {

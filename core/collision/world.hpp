@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/collision/capsule_pairs.hpp"
+#include "core/collision/carried_target.hpp"
 #include "core/collision/distance.hpp"
 #include "core/collision/mesh_solid.hpp"
 #include "core/motion/plan.hpp"
@@ -14,18 +15,9 @@
 
 namespace morphe::collision {
 
-/// The target as an attached object. Before begin_s it has its recorded pose. From begin_s to end_s
-/// it keeps its pose relative to a frame of the robot. Afterwards it remains where it was released.
-struct AttachedTarget {
-  int frame = -1;                               ///< robot frame, -1 if the target is not attached
-  double begin_s = kUnknown, end_s = kUnknown;  ///< demonstration time; end NaN if never released
-  Pose frame_from_object = Pose::Identity();
-  Pose base_from_released = Pose::Identity();
-  JointVector motion_bounds;  ///< [joints] like a row of Robot::capsule_motion_bounds
-};
-
 /// The collision world of one movement, in the robot's base frame. Robot and scene must outlive it.
-/// Checked are the capsules of `pairs`, and every capsule against every object. From touch_begin_s
+/// Checked are the capsules of `pairs`, every capsule against every object, and a carried target
+/// against every other object. From touch_begin_s
 /// to touch_end_s, both included, a capsule with may_touch_target may penetrate the target by
 /// allowed_contact_depth_m(). Objects have their recorded poses, and so has the target unless
 /// attach_target() has attached it.
@@ -38,6 +30,7 @@ struct CollisionWorld {
   Tolerances tolerances;
   CapsulePairs pairs;  ///< checked capsules, see make_world()
   AttachedTarget attached;
+  CarriedTarget carried;
 };
 
 /// Builds the world of a movement. Contact is allowed from the first preshape (or grasp, if there
@@ -59,22 +52,35 @@ inline Solid solid_at(const CollisionWorld& world, std::ptrdiff_t object) {
 /// the first one at or after its release_s, if any. `position` [samples, joints] is the path; the
 /// target keeps the pose in the frame that it has at the sample of attachment. It is not attached
 /// if the robot has no such frame, if attach_s is unknown, or if no sample follows that of
-/// attachment. An attached target is checked against the robot, but not against other objects.
+/// attachment. Attached or not, it is carried from that sample on (CarriedTarget).
 void attach_target(const std::vector<double>& demonstration_time, const JointRows& position,
                    CollisionWorld& world);
+
+/// Sets world.carried for a path on which the target is attached already, if it is attached at all.
+void find_supports(const std::vector<double>& demonstration_time, const JointRows& position,
+                   CollisionWorld& world);
+/// Returns true if the target is carried, or has been, at a demonstration time.
+bool is_carried(const CollisionWorld& world, double time_s);
+/// Returns true if a carried target may touch another object at a demonstration time.
+bool carried_may_touch(const CollisionWorld& world, int object, double time_s);
+/// Returns the distance of a carried target that is required from another object [m].
+double carried_required_distance_m(const CollisionWorld& world, int object, double time_s);
 
 /// The state of the target at a time.
 enum class TargetState { as_recorded, attached, released };
 /// Returns the state of the target at a demonstration time.
 TargetState target_state_at(const CollisionWorld& world, double time_s);
 
-/// A pair that is checked: a capsule, and another capsule or an object.
+/// A pair that is checked: a capsule or the carried target, and another capsule or an object.
 struct BodyPair {
-  int capsule = 0;
+  int first = 0;  ///< capsule, or object if `first_is_object`
   int other = 0;  ///< capsule, or object if `other_is_object`
   bool other_is_object = false;
+  bool first_is_object = false;  ///< true of the carried target
   /// Returns the sort key that puts pairs into the order of near_pairs().
-  std::tuple<bool, int, int> key() const { return {other_is_object, capsule, other}; }
+  std::tuple<bool, bool, int, int> key() const {
+    return {first_is_object, other_is_object, first, other};
+  }
 };
 /// The separation of a pair.
 struct PairSeparation : BodyPair {
@@ -83,7 +89,7 @@ struct PairSeparation : BodyPair {
   /// Returns the distance beyond the required one [m], < 0 if the pair is in collision.
   double slack() const { return separation.distance - required_distance_m; }
 };
-/// Returns the placeholder for no pair: its slack is +infinity and its capsule -1.
+/// Returns the placeholder for no pair: its slack is +infinity and its first body -1.
 inline PairSeparation no_pair() { return {{-1, 0, false}, {kInfinity, {}, {}, {}}, 0}; }
 
 /// Buffers of the queries; each thread needs its own.
@@ -118,6 +124,10 @@ double allowed_contact_depth_m(const CollisionWorld& world, int capsule);
 /// Returns the required distance of a capsule and an object at a demonstration time [m]: the
 /// required clearance, or -allowed_contact_depth_m() if contact is allowed.
 double required_distance_m(const CollisionWorld& world, int capsule, int object, double time_s);
+/// Returns a pair with the distance that it requires at a demonstration time, not measured.
+PairSeparation unmeasured(const CollisionWorld& world, const BodyPair& bodies, double time_s);
+/// Returns true if the bodies of a pair may touch at a demonstration time.
+bool may_touch(const CollisionWorld& world, const BodyPair& pair, double time_s);
 
 /// Computes all bodies at a joint position and demonstration time.
 void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q,
@@ -125,6 +135,11 @@ void update_bodies(const CollisionWorld& world, const Eigen::Ref<const JointVect
 /// Computes all bodies from the frame poses that are already in the scratch's base_from_frame.
 void update_bodies_from_frames(const CollisionWorld& world, double time_s,
                                CollisionScratch& scratch);
+
+/// Returns a lower bound of the distance of the carried target from an object [m], for bodies that
+/// are already computed.
+double carried_distance_bound(const CollisionWorld& world, const CollisionScratch& scratch,
+                              int object);
 
 /// Computes the separation of a pair whose bodies are already computed.
 void measure(const CollisionWorld& world, const CollisionScratch& scratch, PairSeparation& pair);
@@ -138,7 +153,7 @@ PairSeparation least_slack(const CollisionWorld& world, const Eigen::Ref<const J
                            double time_s, CollisionScratch& scratch);
 
 /// Finds all pairs with slack below `below_m`: those of capsules in the order of world.pairs, then
-/// those with objects, ordered by capsule and then by object.
+/// those with objects, ordered by capsule and then by object, then those of the carried target.
 void near_pairs(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                 double below_m, CollisionScratch& scratch, std::vector<PairSeparation>& out);
 /// Finds the same pairs for bodies that are already computed at time_s.
@@ -150,7 +165,7 @@ void near_pairs(const CollisionWorld& world, double time_s, double below_m,
 double clearance(const CollisionWorld& world, const Eigen::Ref<const JointVector>& q, double time_s,
                  CollisionScratch& scratch);
 
-/// Returns the name of the pair's capsule, such as "hand_palm".
+/// Returns the name of the pair's first body, such as "hand_palm", or "cup" of a carried target.
 std::string first_body_name(const CollisionWorld& world, const BodyPair& pair);
 /// Returns the name of the pair's second capsule or object, such as "table".
 std::string second_body_name(const CollisionWorld& world, const BodyPair& pair);

@@ -104,11 +104,20 @@ constexpr std::array<std::string_view, 2> names_of(ContactOrigin) {
   return {"demonstrated", "auto_closed"};
 }
 
+/// The result of planning a contact. `touching`: the pad touches the target with its inner side.
+/// `near`: the gap or the angle of the pad is too large, and the contact bears no force.
+enum class ContactState : std::uint8_t { touching, near };
+/// Returns the names of the values, in their order.
+constexpr std::array<std::string_view, 2> names_of(ContactState) { return {"touching", "near"}; }
+
 /// A contact of a fingertip pad with the target, in the target's frame.
 struct PadContact {
   std::string tip;   ///< name of the robot's tip
   std::string link;  ///< name of the capsule in contact
   ContactOrigin origin = ContactOrigin::demonstrated;
+  ContactState state = ContactState::near;
+  /// Surface point that the person touched [m]; NaN for a finger that closes by itself.
+  Vec3 demonstrated_point = unknown_point();
   Vec3 desired_point = unknown_point();   ///< surface point that the pad should touch [m]
   Vec3 point = unknown_point();           ///< surface point nearest to the pad [m]
   Vec3 normal = unknown_point();          ///< unit normal of the surface at `point`, inwards

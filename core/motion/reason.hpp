@@ -27,18 +27,21 @@ enum class Reason : std::uint8_t {
   tracking,
   invalid_path,        ///< the input of the time parametrisation is not a path of this robot
   duration_too_short,  ///< the path cannot be followed in the requested duration
+  not_held,            ///< the target is carried without two opposed contacts
   no_approach,
   no_retreat,
   no_reference_frame,  ///< the reference frame of an object of the scene is missing
+  released_in_air,     ///< the hand lets go of the target far above everything
   rejected,            ///< verify rejects the trajectory, which is a fault of Morphe
 };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 21> names_of(Reason) {
+constexpr std::array<std::string_view, 23> names_of(Reason) {
   // clang-format off
   return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm", "doubtful_recording",
           "start_in_collision", "goal_in_collision", "unreachable", "no_path",
           "smoothing_collision", "joint_limit", "jump", "tracking", "invalid_path",
-          "duration_too_short", "no_approach", "no_retreat", "no_reference_frame", "rejected"};
+          "duration_too_short", "not_held", "no_approach", "no_retreat", "no_reference_frame",
+          "released_in_air", "rejected"};
   // clang-format on
 }
 

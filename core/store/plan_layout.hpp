@@ -93,6 +93,8 @@ void lay_out_contacts(Io& io, T& contacts) {
   io.column("tip", contacts, &PadContact::tip, {});
   io.column("link", contacts, &PadContact::link, {});
   io.column("origin", contacts, &PadContact::origin, {});
+  io.column("state", contacts, &PadContact::state, {});
+  io.column("demonstrated_point", contacts, &PadContact::demonstrated_point, {"m", "object", ""});
   io.column("desired_point", contacts, &PadContact::desired_point, {"m", "object", ""});
   io.column("point", contacts, &PadContact::point, {"m", "object", ""});
   io.column("normal", contacts, &PadContact::normal, {"1", "object", ""});

@@ -85,6 +85,12 @@ constexpr std::array<ReasonExplanation, enum_count<Reason>()> kExplanations{{
      kOnInput,
      {relax({"retime.mode=fastest", "retime.duration_s=null"},
             "the shortest duration that the limits allow")}},
+    {Reason::not_held,
+     "The target is carried without two contacts that are opposed.",
+     kOnInput,
+     {change("end the plan with the grasp (`segment.plan_until: grasp`), or enlarge "
+             "`grasp.touch_distance` if the person held the target with more fingers"),
+      change("without the section `grasp` of the config, carrying is not checked")}},
     {Reason::no_approach, "There is no approach from the home posture to the first sample.",
      kOnInput, kHomeAdvice},
     {Reason::no_retreat, "There is no retreat from the last sample back to the home posture.",
@@ -94,6 +100,11 @@ constexpr std::array<ReasonExplanation, enum_count<Reason>()> kExplanations{{
      kOnInput,
      {change("give the object another `relative_to`, or state a missing table by "
              "`scene.table.height`; a target exists only in movements with a grasp")}},
+    {Reason::released_in_air,
+     "The hand lets go of the target in the air, although it stood on something before.",
+     kOnInput,
+     {change("end the plan before (segment.plan_until), or add what the target is put down on to "
+             "scene.objects")}},
     {Reason::rejected,
      "The independent verification rejects the trajectory: a fault of Morphe.",
      kOnInput,

@@ -6,12 +6,13 @@
 
 #include "core/math/seed.hpp"
 #include "pipeline/planning/constants.hpp"
+#include "pipeline/planning/contact_posture.hpp"
 #include "pipeline/planning/re_solve.hpp"
 #include "pipeline/planning/repair_movement.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/grasp/close_fingers.hpp"
+#include "stages/grasp/closure_goals.hpp"
 #include "stages/grasp/demonstrated_contacts.hpp"
-#include "stages/map/frame_search.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/re_solve_path.hpp"
 
@@ -26,6 +27,7 @@ map::MappingProblem problem_of(const ContactContext& context,
   const robot::Robot& robot = context.planner.robot;
   map::MappingProblem problem = map::make_mapping_problem(
       robot, plan.goals, world, context.planner.config.map, plan.movement.phases);
+  problem.objective.get<humanlike::PadDirection>().weight *= kPadDirectionFactor;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const Eigen::Matrix3d target_rotation = recorded_pose(context.target, problem.time[f]).linear();
     std::vector<Vec3>& normals = problem.goals[f].pad_normal;
@@ -38,6 +40,12 @@ map::MappingProblem problem_of(const ContactContext& context,
   return problem;
 }
 
+void set_pad_goals(const ContactContext& context, ContactAttempt& attempt) {
+  grasp::set_pad_goals(context.planner.robot, attempt.contacts, attempt.plan.movement,
+                       context.solid(), context.planner.config.grasp->preshape_clearance_m,
+                       attempt.plan.goals);
+}
+
 /// Sets the goals of pads and closed fingers, and the path from which to optimise: the previous one
 /// plus, times closing_progress(), its difference from a posture in contact at the grasp.
 void aim_hand(const ContactContext& context, const std::vector<std::string>& given_up,
@@ -47,17 +55,21 @@ void aim_hand(const ContactContext& context, const std::vector<std::string>& giv
   Goals& goals = attempt.plan.goals;
   const grasp::HoldInterval hold = grasp::hold_interval(attempt.plan.movement);
   const std::size_t frame = frame_of_grasp(goals, hold);
-  grasp::set_pad_goals(robot, attempt.contacts, attempt.plan.movement, context.solid(),
-                       config.grasp->preshape_clearance_m, goals);
-  if (frame == goals.frames()) return;
+  if (frame == goals.frames()) {
+    set_pad_goals(context, attempt);
+    return;
+  }
   JointRows& path = attempt.plan.path.position;
   const JointVector before = path.row(frame).transpose();
-  map::MappingScratch scratch;
-  const JointVector touching =
-      map::solve_frame(
-          with_clearance_weights(problem_of(context, context.world, attempt), kContactWeights),
-          frame, before, config.map.frame_solver, scratch)
-          .x;
+  const Goals of_tips = goals;
+  set_pad_goals(context, attempt);
+  ContactPosture posture = solve_contact_posture(
+      with_clearance_weights(problem_of(context, context.world, attempt), kContactPostureWeights),
+      frame, attempt.contacts, before, config.map, context.seed);
+  attempt.contacts = std::move(posture.contacts);
+  goals = of_tips;
+  set_pad_goals(context, attempt);
+  const JointVector& touching = posture.q;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double progress = grasp::closing_progress(hold, goals.time[f]);
     if (progress == 0) continue;
@@ -85,12 +97,10 @@ JointRows settle_path(const ContactContext& context, const ContactAttempt& attem
   collision::CollisionWorld world = context.world;
   world.touch_begin_s =
       std::max(world.touch_begin_s, grasp::hold_interval(plan.movement).begin_s - kTouchLeadTime_s);
-  map::MapOptions options = context.planner.config.map;
-  options.movement_solver.relative_tolerance *= kSettlingToleranceFactor;
   const map::MappingProblem problem =
       with_clearance_weights(problem_of(context, world, attempt), kContactWeights);
   return map::re_solve_between(problem, plan.path, plan.movement.begin_s, plan.movement.end_s,
-                               options)
+                               context.planner.config.map)
       .position;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/robot/forward_kinematics.hpp"
 #include "pipeline/planning/constants.hpp"
+#include "stages/grasp/constants.hpp"
 #include "stages/grasp/demonstrated_contacts.hpp"
 
 namespace morphe::planning {
@@ -47,9 +48,7 @@ Request move_contacts(const ContactContext& context, const ContactAttempt& attem
     const Vec3 pad = robot::tracked_point(robot, base_from_frame, contact.tip, 1);
     const grasp::DesiredContact at_pad =
         grasp::project_contact(robot, context.solid(), target_from_base * pad, contact);
-    const auto demonstrated =
-        std::ranges::find(context.demonstrated, contact.tip, &grasp::DesiredContact::tip);
-    if ((at_pad.point - demonstrated->point).norm() > kMaxContactShift_m) continue;
+    if ((at_pad.point - contact.demonstrated).norm() > grasp::kMaxSlide_m) continue;
     if (!contains(request.moved, tip)) request.moved.push_back(tip);
     contact = at_pad;
     any = true;

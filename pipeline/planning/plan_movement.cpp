@@ -19,6 +19,7 @@
 #include "stages/certify/approximate_reason.hpp"
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
+#include "stages/grasp/carrying.hpp"
 #include "stages/grasp/measure.hpp"
 #include "stages/grasp/quality.hpp"
 #include "stages/import/audit/movement_checks.hpp"
@@ -150,11 +151,19 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
       grasp::evaluate_grasp(world, at_s, down, *config.grasp, plan.grasp);
     }
   }
+  if (config.grasp) {
+    if (const PlanningFailure lost = grasp::check_held(planner.robot, plan.movement, plan.grasp)) {
+      plan = fail(std::move(plan), lost);
+      return;
+    }
+  }
   plan.detail = approximate_reason;
   for (const std::string& sentence :
        {warnings(world, plan.goals, plan.movement, setting.motion, plan.trajectory,
                  config.retime.mode == retime::RetimeMode::catch_up),
-        join_sentences(contacts.notes), grasp_force_warning(plan.grasp),
+        join_sentences(contacts.notes), near_contacts_warning(plan.grasp),
+        grasp_force_warning(plan.grasp),
+        config.grasp ? "" : unchecked_carrying_warning(plan.movement),
         humanlikeness_warning(plan.certificate, plan.goals),
         unchecked_sentence(planner.robot.unchecked_links)}) {
     if (!sentence.empty()) plan.detail += (plan.detail.empty() ? "" : "; ") + sentence;

@@ -9,6 +9,7 @@
 #include "core/collision/mesh_solid.hpp"
 #include "core/motion/arm_estimate.hpp"
 #include "core/robot/opening.hpp"
+#include "stages/grasp/carrying.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -102,6 +103,28 @@ std::string grasp_force_warning(const Grasp& grasp) {
   if (!judged || grasp.grasp_torque.size() > 0) return "";
   return fmt::format("no squeeze: no forces at these contacts are in balance (epsilon {:.2f})",
                      grasp.quality.epsilon_upper);
+}
+
+std::string near_contacts_warning(const Grasp& grasp) {
+  std::vector<std::string> sentences;
+  for (const PadContact& contact : grasp.contacts) {
+    if (contact.state == ContactState::touching) continue;
+    sentences.push_back(
+        fmt::format("{} is only near the target (gap {:.1f} mm, pad {:.0f} degrees "
+                    "off) and counts as no contact",
+                    contact.tip, 1e3 * contact.signed_distance, contact.pad_angle / kRadPerDegree));
+  }
+  return join_sentences(sentences);
+}
+
+std::string unchecked_carrying_warning(const Movement& movement) {
+  const double begin_s = grasp::carrying_begin_s(movement);
+  if (std::isnan(begin_s)) return "";
+  return fmt::format(
+      "{} is carried from {:.2f} s on, but its contacts are not planned or checked (add the "
+      "section "
+      "`grasp` to the config)",
+      movement.target, begin_s);
 }
 
 std::string humanlikeness_warning(const Certificate& certificate, const Goals& goals) {

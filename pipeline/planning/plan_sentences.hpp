@@ -28,6 +28,14 @@ std::string opening_warning(const RobotModel& robot, const Goals& goals);
 /// Returns a warning if no contact forces of an evaluated grasp are in balance, or "".
 std::string grasp_force_warning(const Grasp& grasp);
 
+/// Returns a warning that names the contacts of a grasp which are only near the target, with gap
+/// and angle of their pads, or "".
+std::string near_contacts_warning(const Grasp& grasp);
+
+/// Returns a warning if the movement carries its target, for a config without the section `grasp`,
+/// or "".
+std::string unchecked_carrying_warning(const Movement& movement);
+
 /// Returns a warning if the upper arm's mean direction error is above 45 degrees, or "".
 std::string humanlikeness_warning(const Certificate& certificate, const Goals& goals);
 

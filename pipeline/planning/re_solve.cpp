@@ -19,6 +19,16 @@ using repair::CheckedPath;
 using repair::RepairStrategy;
 using repair::StrategyResult;
 
+/// Returns the world in which a path is solved again: a target that is attached to a frame has the
+/// pose in it that it has on the path, and keeps clear of other objects, too.
+collision::CollisionWorld world_along(const collision::CollisionWorld& world,
+                                      const JointPath& path) {
+  collision::CollisionWorld along = world;
+  if (world.target >= 0 && !world.scene->objects[world.target].attached_frame.empty())
+    collision::attach_target(path.demonstration_time, path.position, along);
+  return along;
+}
+
 /// Returns the strategy for one set of weights. With `exactly`, it uses twice the iterations and
 /// the configured tolerance, otherwise kCoarseToleranceFactor times the tolerance. A path without
 /// collisions is skipped at the full clearance distance, because more clearance cannot help it.
@@ -34,8 +44,10 @@ RepairStrategy re_solve_strategy(const ReSolveContext& context, std::string name
     map::MapOptions options = context.options;
     if (exactly) options.movement_solver.max_iterations *= 2;
     if (!exactly) options.movement_solver.relative_tolerance *= kCoarseToleranceFactor;
-    result.candidate.path = map::re_solve_path(with_clearance_weights(context.whole, weights),
-                                               best.path, best.findings, options);
+    const collision::CollisionWorld world = world_along(*context.whole.world, best.path);
+    map::MappingProblem problem = with_clearance_weights(context.whole, weights);
+    problem.world = &world;
+    result.candidate.path = map::re_solve_path(problem, best.path, best.findings, options);
     result.candidate.findings = context.check(result.candidate.path);
     return result;
   };
@@ -56,9 +68,11 @@ RepairStrategy re_solve_bridge(const ReSolveContext& context, const BridgeAttemp
     bridged.findings = context.check(bridged.path);
     map::MapOptions options = context.options;
     options.movement_solver.relative_tolerance *= kCoarseToleranceFactor;
-    result.candidate.path =
-        map::re_solve_path(with_clearance_weights(context.whole, {attempt.clearance}), bridged.path,
-                           best.findings, options, attempt.margin_s + kReSolvedBesideBridge_s);
+    const collision::CollisionWorld world = world_along(*context.whole.world, bridged.path);
+    map::MappingProblem problem = with_clearance_weights(context.whole, {attempt.clearance});
+    problem.world = &world;
+    result.candidate.path = map::re_solve_path(problem, bridged.path, best.findings, options,
+                                               attempt.margin_s + kReSolvedBesideBridge_s);
     result.candidate.findings = context.check(result.candidate.path);
     if (repair::is_better(bridged.findings, result.candidate.findings))
       result.candidate = std::move(bridged);

@@ -1,8 +1,11 @@
 #include "pipeline/planning/repair_movement.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 
+#include "core/motion/finding_text.hpp"
 #include "pipeline/planning/candidate_sources.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/infeasible_frame.hpp"
@@ -17,6 +20,23 @@ namespace {
 using repair::CheckedPath;
 using repair::RepairStrategy;
 
+/// Returns why no path of the robot can help: the target, which moves as it was recorded, meets
+/// another object while it is carried.
+PlanningFailure collision_on_recorded_way(const Plan& plan) {
+  const SceneObject* target = find_object(plan.scene.objects, plan.movement.target);
+  if (!target || !target->attached_frame.empty()) return {};
+  std::vector<Finding> findings = plan.findings;
+  std::erase_if(findings, [&](const Finding& finding) {
+    return !is_collision(finding.cause) || finding.subject != target->name;
+  });
+  const Finding* worst = repair::worst_finding(findings);
+  if (!worst) return {};
+  return {Reason::goal_in_collision,
+          fmt::format("{}; {} is carried as it was recorded, so no path of the robot avoids this: "
+                      "move {}, or let a detour carry {} with scene.target.carried_by=palm",
+                      sentence(*worst), target->name, worst->other_body, target->name)};
+}
+
 }  // namespace
 
 collision::CollisionWorld with_extra_margin(collision::CollisionWorld world) {
@@ -30,6 +50,8 @@ Outcome<repair::RepairResult> repair_movement(const PlanningInputs& planner,
                                               const Plan& plan, const map::MapResult& mapped,
                                               std::uint64_t seed) {
   const PipelineConfig& config = planner.config;
+  if (PlanningFailure failure = collision_on_recorded_way(plan))
+    return {{plan.path, false, plan.findings, {}}, std::move(failure)};
   const map::MappingProblem whole = whole_problem(placed.problem, world);
   const auto findings_in = [&](const collision::CollisionWorld& tested, const JointPath& path) {
     return check::check_path(tested, plan.goals, plan.movement, path, config.check);

@@ -57,7 +57,9 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
     collision::near_pairs(world, q, time_s, margin_m, scratch, close_pairs);
     for (const collision::PairSeparation& pair : close_pairs) {
       if (pair.separation.distance <= kTouchDistance_m)
-        motion.touching_pairs.push_back({k, pair.capsule, body_index(*world.robot, pair)});
+        motion.touching_pairs.push_back(
+            {k, body_index(*world.robot, pair.first_is_object, pair.first),
+             body_index(*world.robot, pair.other_is_object, pair.other)});
     }
     const bool moved = world.target >= 0 && collision::target_state_at(world, time_s) !=
                                                 collision::TargetState::as_recorded;
@@ -126,8 +128,8 @@ std::vector<double> tip_speed(const robot::Robot& robot, const Goals& goals,
 
 }  // namespace
 
-int body_index(const RobotModel& robot, const collision::PairSeparation& pair) {
-  return pair.other_is_object ? static_cast<int>(robot.capsules.size()) + pair.other : pair.other;
+int body_index(const RobotModel& robot, bool is_object, int body) {
+  return is_object ? static_cast<int>(robot.capsules.size()) + body : body;
 }
 
 DisplayMotion display_trajectory(const std::string& name, const collision::CollisionWorld& world,

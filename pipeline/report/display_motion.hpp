@@ -23,7 +23,7 @@ struct DisplayMotion {
   std::vector<PhaseKind> phase;      ///< [T]
   std::vector<SampleOrigin> origin;  ///< [T]
   std::vector<double> clearance;     ///< [T] as in the file; empty for path and mapped
-  std::vector<collision::PairSeparation> nearest;  ///< [T] pair with least slack; capsule -1: none
+  std::vector<collision::PairSeparation> nearest;  ///< [T] pair with least slack; first -1: none
   /// Two bodies that touch in a row.
   struct Touch {
     int row = 0, first = 0, second = 0;  ///< row and bodies (body_index())
@@ -40,9 +40,8 @@ inline constexpr double kTouchDistance_m = 1e-3;
 /// The rate of the displayed samples.
 inline constexpr double kDisplayRate_hz = 60;
 
-/// Returns the index of a pair's second body, where the scene's objects follow the robot's
-/// capsules.
-int body_index(const RobotModel& robot, const collision::PairSeparation& pair);
+/// Returns the index of a capsule or object, where the scene's objects follow the robot's capsules.
+int body_index(const RobotModel& robot, bool is_object, int body);
 
 /// Builds the displayed motion of a trajectory of a plan. Errors of the tips and metric A are only
 /// computed if `follows_goals`, which is false for approach and retreat. In `world`, the target

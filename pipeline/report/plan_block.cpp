@@ -92,9 +92,9 @@ Json nearest_json(Block& block, const RobotModel& robot, const DisplayMotion& mo
   JointRows points(motion.nearest.size(), 6);
   for (int k = 0; k < std::ssize(motion.nearest); ++k) {
     const collision::PairSeparation& pair = motion.nearest[k];
-    const bool none = pair.capsule < 0;
-    first.push_back(pair.capsule);
-    second.push_back(none ? -1 : body_index(robot, pair));
+    const bool none = pair.first < 0;
+    first.push_back(none ? -1 : body_index(robot, pair.first_is_object, pair.first));
+    second.push_back(none ? -1 : body_index(robot, pair.other_is_object, pair.other));
     distance.push_back(none ? kUnknown : pair.separation.distance);
     required.push_back(none ? kUnknown : pair.required_distance_m);
     auto row = points.row(k);

@@ -21,7 +21,7 @@ std::optional<ClearanceViolation> worst_contact(const std::vector<DisplayMotion>
   for (const DisplayMotion& motion : motions) {
     for (int k = 0; k < std::ssize(motion.nearest); ++k) {
       const collision::PairSeparation& pair = motion.nearest[k];
-      if (pair.capsule < 0 || !(pair.slack() < 0)) continue;
+      if (pair.first < 0 || !(pair.slack() < 0)) continue;
       if (!worst || pair.slack() < worst->pair.slack())
         worst = ClearanceViolation{motion.demonstration_time[k], pair};
     }
@@ -58,11 +58,13 @@ std::optional<TipError> worst_tip_error(const Plan& plan,
 
 std::string contact_sentence(const robot::Robot& robot, const Plan& plan,
                              const collision::PairSeparation& pair) {
-  const std::string& other =
-      pair.other_is_object ? plan.scene.objects[pair.other].name : robot.capsules[pair.other].name;
+  const auto name_of_body = [&](bool is_object, int body) -> const std::string& {
+    return is_object ? plan.scene.objects[body].name : robot.capsules[body].name;
+  };
   const double distance_mm = kMillimetresPerMetre * pair.separation.distance,
                required_mm = kMillimetresPerMetre * pair.required_distance_m;
-  return fmt::format("{} and {} {}; {}", robot.capsules[pair.capsule].name, other,
+  return fmt::format("{} and {} {}; {}", name_of_body(pair.first_is_object, pair.first),
+                     name_of_body(pair.other_is_object, pair.other),
                      distance_mm < 0 ? fmt::format("overlap by {:.2f} mm", -distance_mm)
                                      : fmt::format("are {:.2f} mm apart", distance_mm),
                      required_mm < 0 ? fmt::format("{:.2f} mm of overlap is allowed", -required_mm)

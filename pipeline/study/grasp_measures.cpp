@@ -99,7 +99,7 @@ GraspScore score_grasp(const robot::Robot& robot, const Plan& plan,
   score.penetration = deepest_penetration(world, plan.trajectory);
   for (const PadContact& contact : plan.grasp.contacts) {
     const bool closed = contact.origin == ContactOrigin::auto_closed;
-    const bool touches = contact.signed_distance <= grasp::kMaxContactGap_m;
+    const bool touches = contact.state == ContactState::touching;
     ++(closed ? score.closed : score.demonstrated);
     if (touches) ++(closed ? score.closed_touching : score.touching);
   }

@@ -67,6 +67,19 @@ std::string collision_violation(const collision::CollisionWorld& world,
       1e3 * found.pair.required_distance_m);
 }
 
+/// Returns a sentence if the hand lets go of the target in the air at the end of a transport, or
+/// "".
+std::string release_violation(const collision::CollisionWorld& world, const Movement& movement) {
+  const double gap_m = world.carried.release_gap_m;
+  if (gap_m <= collision::kMaxReleaseGap_m || !last_phase(movement, PhaseKind::transport))
+    return "";
+  const SceneObject& target = world.scene->objects[world.target];
+  return fmt::format(
+      "{} is released at {:.2f} s, {:.1f} mm or more from everything that could support it; "
+      "allowed: {:.1f} mm",
+      target.name, target.release_s, 1e3 * gap_m, 1e3 * collision::kMaxReleaseGap_m);
+}
+
 std::string tracking_violation(const RobotModel& robot, const Trajectory& trajectory,
                                const GoalErrors& errors) {
   if (errors.worst_sample < 0 || errors.worst_excess <= 0) return "";
@@ -143,6 +156,8 @@ Outcome<Certificate> certify(const collision::CollisionWorld& recorded_world, co
         worst_inter_sample_error(*world.robot, goals, movement, world.tolerances, trajectory));
   }
   if (!result.failure && !violation.empty()) result.failure = {Reason::tracking, violation};
+  violation = release_violation(world, movement);
+  if (!result.failure && !violation.empty()) result.failure = {Reason::released_in_air, violation};
 
   const std::vector<double>& times = trajectory.demonstration_time;
   const double human_s = times.back() - times.front();

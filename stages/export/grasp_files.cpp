@@ -49,15 +49,17 @@ std::string grasp_json(const RobotModel& robot, const Plan& plan, const std::str
 
 std::string contacts_csv(const Plan& plan) {
   std::string text =
-      "tip,link,origin,desired_point_x_m,desired_point_y_m,desired_point_z_m,"
+      "tip,link,origin,state,demonstrated_point_x_m,demonstrated_point_y_m,"
+      "demonstrated_point_z_m,desired_point_x_m,desired_point_y_m,desired_point_z_m,"
       "point_x_m,point_y_m,point_z_m,normal_x,normal_y,normal_z,signed_distance_m,pad_angle_rad,"
       "confidence,normal_force_N,friction_force_x_N,friction_force_y_N,friction_force_z_N\n";
   for (const PadContact& contact : plan.grasp.contacts) {
     text += fmt::format(
-        "{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(contact.tip), csv_cell(contact.link),
-        name_of(contact.origin), numbers(contact.desired_point), numbers(contact.point),
-        numbers(contact.normal), number(contact.signed_distance), number(contact.pad_angle),
-        number(contact.confidence), number(contact.normal_force), numbers(contact.friction_force));
+        "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_cell(contact.tip), csv_cell(contact.link),
+        name_of(contact.origin), name_of(contact.state), numbers(contact.demonstrated_point),
+        numbers(contact.desired_point), numbers(contact.point), numbers(contact.normal),
+        number(contact.signed_distance), number(contact.pad_angle), number(contact.confidence),
+        number(contact.normal_force), numbers(contact.friction_force));
   }
   return text;
 }

@@ -8,8 +8,10 @@ namespace morphe::grasp {
 inline constexpr double kClosingStep_rad = 0.01;  ///< step of the closing joints
 /// Opening beyond which a finger that begins inside the target is given up.
 inline constexpr double kMaxOpening_rad = 0.5;
-/// Step by which a finger that cannot close is abducted, twice to either side.
-inline constexpr double kAbductionStep_rad = 7 * kRadPerDegree;
+/// Steps by which a closing finger is abducted, and by which its outer joints turn faster or slower
+/// than its inner ones, twice to either side, until it touches within kGoodPadAngle_rad.
+inline constexpr double kAbductionStep_rad = 7 * kRadPerDegree, kCurlStep = 0.5;
+inline constexpr double kGoodPadAngle_rad = 25 * kRadPerDegree;
 inline constexpr double kContactTolerance_m = 1e-5;  ///< largest gap at which a closing pad touches
 inline constexpr double kMinLeverRatio = 0.2;  ///< of a joint that closes, to the longest lever
 
@@ -17,7 +19,24 @@ inline constexpr int kMaxSeparationRounds = 50;      ///< rounds in which contac
 inline constexpr double kOverlapTolerance_m = 1e-4;  ///< overlap of two pads that remains
 inline constexpr double kReleaseDuration_s = 0.3;    ///< over which the contacts are released
 
-inline constexpr double kMaxContactGap_m = 0.002;  ///< between a pad and the surface it touches
+/// Largest gap between a pad and the surface that it touches, and the largest angle between the
+/// middle of the pad and the surface's normal. With a larger gap it presses on air, and with a
+/// larger angle the finger touches with its side or its nail.
+inline constexpr double kMaxContactGap_m = 2e-4, kMaxContactAngle_rad = 60 * kRadPerDegree;
+
+// The posture at the grasp, in which contacts slide along the surface (SurfaceContactTerm).
+/// Largest distance of a contact from the point that the person touched [m].
+inline constexpr double kMaxSlide_m = 0.015;
+/// Weight of a gap [1/m²]: 400 times the default of map.tip_position, so that neither the pull
+/// towards the person's point nor the pad's direction opens a gap: 0.1 to 0.2 mm remained at 4e6.
+inline constexpr double kGapWeight = 1.6e7;
+/// Weight of the squared chord between the middle of the pad and the normal. A tilt of 12 degrees
+/// then costs as much as a slide of 15 mm with the default of map.tip_position. With 25, pads of
+/// the DLR/HIT II slid by 2 mm on the shipped drinks and remained 17 degrees off, with 200 they
+/// slide by 9 mm and remain 10 degrees off.
+inline constexpr double kPadDirectionWeight = 200;
+inline constexpr double kNormalStep_m = 0.001;  ///< of the central difference of normals
+
 /// Volume of a mesh, relative to the cube of its radius, up to which it counts as zero.
 inline constexpr double kMinVolumeRatio = 1e-6;
 /// Share of the requested force below which there is no squeeze, and from which it is enough.

@@ -41,6 +41,7 @@ std::vector<DesiredContact> demonstrated_contacts(const robot::Robot& robot, con
     touch.tip = tip;
     touch.confidence = touching / seen * std::exp(-gaps / touching / options.touch_distance_m);
     touches.push_back(project_contact(robot, target, sum / touching, touch));
+    touches.back().demonstrated = touches.back().point;
   }
   return touches;
 }
@@ -52,6 +53,17 @@ DesiredContact project_contact(const robot::Robot& robot, const collision::Solid
   touch.normal = surface.normal;
   touch.centre = surface.point - robot.pads[touch.tip].radius * surface.normal;
   return touch;
+}
+
+DesiredContact limit_slide(const robot::Robot& robot, const collision::Solid& target,
+                           const DesiredContact& touch) {
+  constexpr double kRetreatRatio = 0.95;
+  const Vec3 slide = touch.point - touch.demonstrated;
+  DesiredContact limited = touch;
+  for (double share = kMaxSlide_m / slide.norm();
+       (limited.point - touch.demonstrated).norm() > kMaxSlide_m; share *= kRetreatRatio)
+    limited = project_contact(robot, target, touch.demonstrated + share * slide, touch);
+  return limited;
 }
 
 void separate_contacts(const robot::Robot& robot, const collision::Solid& target, double margin_m,

@@ -24,6 +24,11 @@ void separate_contacts(const robot::Robot& robot, const collision::Solid& target
 DesiredContact project_contact(const robot::Robot& robot, const collision::Solid& target,
                                const Vec3& point, DesiredContact touch);
 
+/// Returns a contact, or, if it is farther than kMaxSlide_m from the demonstrated point, one on the
+/// way there that is not.
+DesiredContact limit_slide(const robot::Robot& robot, const collision::Solid& target,
+                           const DesiredContact& touch);
+
 /// Sets goals that bring the pads to their contacts. During the preshape the goal of each tip is
 /// blended by share = closing_progress() from the human tip to the centre of the pad's sphere
 /// beside the surface, and back after the release. While it is blended, the goal stays outside the

@@ -1,6 +1,7 @@
 #include "stages/grasp/desired_contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace morphe::grasp {
 namespace {
@@ -39,6 +40,10 @@ SurfacePoint nearest_surface(const collision::Solid& solid, const Vec3& point) {
   nearest.point = point - nearest.distance * outwards;
   nearest.normal = -outwards;
   return nearest;
+}
+
+double pad_angle(const Vec3& pad_direction, const Vec3& inward_normal) {
+  return std::atan2(pad_direction.cross(inward_normal).norm(), pad_direction.dot(inward_normal));
 }
 
 HoldInterval hold_interval(const Movement& movement) {

@@ -12,7 +12,9 @@ namespace morphe::grasp {
 struct DesiredContact {
   std::size_t tip = 0;  ///< index of the robot's tip
   ContactOrigin origin = ContactOrigin::demonstrated;
-  Vec3 point = Vec3::Zero();    ///< on the surface [m]
+  /// Surface point that the person touched [m]; unknown for a finger that closes by itself.
+  Vec3 demonstrated = unknown_point();
+  Vec3 point = Vec3::Zero();    ///< on the surface, which the pad should touch [m]
   Vec3 normal = Vec3::UnitZ();  ///< unit inward normal
   Vec3 centre = Vec3::Zero();   ///< of the pad's sphere at contact [m]
   double confidence = 1;        ///< confidence that the person touched here, 0 … 1
@@ -25,6 +27,10 @@ struct SurfacePoint {
 };
 /// Returns the surface point of `solid` nearest to `point` [solid's frame, m].
 SurfacePoint nearest_surface(const collision::Solid& solid, const Vec3& point);
+
+/// Returns the angle between the middle of a pad and the inward normal of a surface, two unit
+/// vectors of one frame [rad].
+double pad_angle(const Vec3& pad_direction, const Vec3& inward_normal);
 
 /// The interval in which the target is held: from the last `grasp` of a movement to the end of its
 /// last hold, at most to the end of the movement. NaN if the target is never held.

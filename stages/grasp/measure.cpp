@@ -1,9 +1,10 @@
 #include "stages/grasp/measure.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace morphe::grasp {
+
+bool is_touching(double gap_m, double pad_angle_rad) {
+  return gap_m <= kMaxContactGap_m && pad_angle_rad <= kMaxContactAngle_rad;
+}
 
 std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
                                          const std::vector<DesiredContact>& touches,
@@ -24,12 +25,15 @@ std::vector<PadContact> measure_contacts(const collision::CollisionWorld& world,
     contact.tip = tip.name;
     contact.link = robot.capsules[pad.capsule].name;
     contact.origin = touch.origin;
+    contact.demonstrated_point = touch.demonstrated;
     contact.desired_point = touch.point;
     contact.point = target_from_base * separation.on_second;
     contact.normal = -(target_from_base.linear() * separation.normal);
     contact.signed_distance = separation.distance;
     const Vec3 pad_direction = scratch.base_from_frame[tip.frame].linear() * pad.direction;
-    contact.pad_angle = std::acos(std::clamp(-pad_direction.dot(separation.normal), -1.0, 1.0));
+    contact.pad_angle = pad_angle(pad_direction, -separation.normal);
+    contact.state = is_touching(contact.signed_distance, contact.pad_angle) ? ContactState::touching
+                                                                            : ContactState::near;
     contact.confidence = touch.confidence;
     contacts.push_back(contact);
   }

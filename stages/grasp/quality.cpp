@@ -51,7 +51,7 @@ ContactModel contact_model(const collision::CollisionWorld& world, const SceneOb
   model.set.reference = centre_of_mass(target);
   model.set.torque_scale_m = max_radius(target, model.set.reference);
   for (int k = 0; k < std::ssize(grasp.contacts); ++k) {
-    if (!(grasp.contacts[k].signed_distance <= kMaxContactGap_m)) continue;
+    if (grasp.contacts[k].state != ContactState::touching) continue;
     model.rows.push_back(k);
     model.set.contacts.push_back({grasp.contacts[k].point, grasp.contacts[k].normal});
   }

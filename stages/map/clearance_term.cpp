@@ -8,11 +8,22 @@
 namespace morphe::map {
 namespace {
 
+/// Returns the frame that moves a body of a pair: that of a capsule, or to which a target is
+/// attached; -1 for other objects.
+int frame_of(const collision::CollisionWorld& world, bool is_object, int body, double time_s) {
+  if (!is_object) return world.robot->capsules[body].frame;
+  const bool attached = body == world.target && collision::target_state_at(world, time_s) ==
+                                                    collision::TargetState::attached;
+  return attached ? world.attached.frame : -1;
+}
+
 /// Computes the gradient of band - slack: positive for joints that bring the bodies nearer.
-void missing_slack_gradient(const RobotModel& robot, const collision::PairSeparation& pair,
+void missing_slack_gradient(const collision::CollisionWorld& world, double time_s,
+                            const collision::PairSeparation& pair,
                             const std::vector<Pose>& base_from_frame, JointVector& slope) {
-  const int first = robot.capsules[pair.capsule].frame;
-  const int second = pair.other_is_object ? -1 : robot.capsules[pair.other].frame;
+  const RobotModel& robot = *world.robot;
+  const int first = frame_of(world, pair.first_is_object, pair.first, time_s);
+  const int second = frame_of(world, pair.other_is_object, pair.other, time_s);
   const int common = robot::common_ancestor(robot, first, second);  // its joints move both alike
   const collision::Separation& s = pair.separation;
   slope.setZero();
@@ -49,7 +60,7 @@ void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& w
     if (pair.required_distance_m < 0) band = std::min(band, -pair.required_distance_m);
     const double missing_slack_m = band - pair.slack();
     if (missing_slack_m <= 0) continue;
-    missing_slack_gradient(*world.robot, pair, scratch.collision.base_from_frame, slope);
+    missing_slack_gradient(world, time_s, pair, scratch.collision.base_from_frame, slope);
     model.value += term.weight * missing_slack_m * missing_slack_m;
     scratch.active_joints.clear();
     for (Eigen::Index j = 0; j < slope.size(); ++j) {

@@ -25,6 +25,26 @@ void apply_rule(TouchRule rule, double begin_s, double end_s, collision::Collisi
   world.touch_end_s = rule == TouchRule::strict ? kUnknown : end_s;
 }
 
+/// Applies the rule to the contacts of a carried target with its supports.
+void apply_rule_to_supports(TouchRule rule, double begin_s, double end_s,
+                            collision::CarriedTarget& carried) {
+  for (collision::SupportContact& contact : carried.supports) {
+    const bool always = end_s <= contact.lifted_s || begin_s >= contact.lowered_s ||
+                        contact.lifted_s >= contact.lowered_s;
+    const bool sometimes = contact.is_allowed(begin_s) || contact.is_allowed(end_s);
+    if (always || !sometimes) continue;
+    contact.lifted_s = rule == TouchRule::strict ? -kInfinity : kInfinity;
+    contact.lowered_s = kInfinity;
+  }
+}
+
+/// Returns true if the target is attached, or has been released, in the whole interval.
+bool is_off_recording(const collision::CollisionWorld& world, double begin_s, double end_s) {
+  const collision::TargetState state = collision::target_state_at(world, begin_s);
+  return state != collision::TargetState::as_recorded &&
+         state == collision::target_state_at(world, end_s);
+}
+
 bool in_hand(const RobotModel& robot, int capsule) {
   return robot::is_in_subtree(robot, robot.capsules[capsule].frame, robot.palm_frame);
 }
@@ -66,11 +86,12 @@ IntervalWorld interval_world(const collision::CollisionWorld& world, double begi
   IntervalWorld interval{padded_world(world, extra_m), {begin_s}};
   collision::CollisionWorld& environment = interval.world.environment;
   apply_rule(rule, begin_s, end_s, environment);
+  apply_rule_to_supports(rule, begin_s, end_s, environment.carried);
 
   auto scene = std::make_shared<Scene>(*world.scene);
   if (world.target >= 0) {
     const auto target = scene->objects.begin() + world.target;
-    if (moves_in(*target, begin_s, end_s)) {
+    if (moves_in(*target, begin_s, end_s) && !is_off_recording(world, begin_s, end_s)) {
       scene->objects.erase(target);
       environment.target = -1;
     }

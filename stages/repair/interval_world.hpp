@@ -25,15 +25,16 @@ PaddedWorld padded_world(const collision::CollisionWorld& world, double extra_m)
 bool is_motion_free(const PaddedWorld& world, const JointVector& from, const JointVector& to,
                     double from_s, double to_s, collision::CollisionScratch& scratch);
 
-/// The world of an interval, whose states must be free at all of `times`. A target that moves in
-/// the interval is left out.
+/// The world of an interval, whose states must be free at all of `times`. A target that is attached
+/// in the whole interval moves with the robot. One that moves otherwise is left out.
 struct IntervalWorld {
   PaddedWorld world;
   std::vector<double> times;  ///< demonstration time [s]; only the begin if no object moves
 };
 
 /// The rule for an interval that is only partly within the time in which the hand may touch the
-/// target: it may do so at no time of the interval (strict) or at all times (lenient).
+/// target, or a carried target its support: they may do so at no time of the interval (strict) or
+/// at all times (lenient).
 enum class TouchRule { strict, lenient };
 
 /// Returns the world of an interval of demonstration time with `extra_m` more clearance.

@@ -174,8 +174,10 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
       std::clamp(aperture / 2 - options.pad_depth, options.min_radius, options.max_radius));
   const double highest = std::max(tips.thumb.z(), tips.index.z());
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
-  const double foot = table ? table_top_height(*table) : middle - options.height / 2;
-  const double height = std::max(options.height, highest + options.rim_margin - foot);
+  const double rim = highest + options.rim_margin;
+  const bool stands = table && rim - table_top_height(*table) <= kMaxInferredHeight_m;
+  const double foot = stands ? table_top_height(*table) : middle - options.height / 2;
+  const double height = std::max(options.height, rim - foot);
   const Vec3 midpoint = (tips.thumb + tips.index) / 2;
   SceneObject target =
       fixed_body(options.name, Shape::cylinder, {radius, height},

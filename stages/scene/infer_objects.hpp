@@ -17,6 +17,10 @@ inline constexpr double kTimeTolerance_s = 1e-9;
 std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
                                        const Movement& movement);
 
+/// Largest height of an inferred target above its table [m]: that of a bottle. What is grasped
+/// higher is not taken from the table, like a comb at the head.
+inline constexpr double kMaxInferredHeight_m = 0.3;
+
 /// The tips of thumb and index finger at a grasp, in the world [m]; NaN if not seen.
 struct GraspTips {
   Vec3 thumb, index;
@@ -31,7 +35,8 @@ GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp);
 void set_attachment_times(const Movement& movement, const Phase& grasp, SceneObject& target);
 
 /// Infers the target: the cylinder between the tips, or options.body, placed on `table`. If that is
-/// null, the target is centred at the height of the tips. Returns no object if options.infer is
+/// null, or so far below that the cylinder would be higher than kMaxInferredHeight_m, the cylinder
+/// is centred at the height of the tips. Returns no object if options.infer is
 /// false, the movement has no grasp, or a tip was not seen.
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table);

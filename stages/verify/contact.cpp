@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "stages/verify/attached_object.hpp"
+#include "stages/verify/carried_object.hpp"
 #include "stages/verify/frame_poses.hpp"
 #include "stages/verify/mesh.hpp"
 #include "stages/verify/object_travel.hpp"
@@ -50,7 +51,8 @@ class ContactVerifier {
     }
     motion_bounds_.resize(pairs_.size(), robot.lower.size());
     for (int i = 0; i < std::ssize(pairs_); ++i) motion_bounds_.row(i) = pairs_[i].motion_bound;
-    attached_ = find_attached_object(robot, plan, *curve.trajectory);
+    attached_ = find_attached_object(robot, plan, plan.trajectory);
+    carried_ = verify_carried_object(robot, plan, curve, meshes_, attached_, violations);
     for (const ContactPair& pair : pairs_)
       kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair)});
     if (attached_.object < 0) return;
@@ -78,7 +80,7 @@ class ContactVerifier {
       }
       refine_clearance(make_interval(piece, 0, 1), near, clearance);
     }
-    return clearance;
+    return std::min(clearance, carried_.along_curve);
   }
 
  private:
@@ -89,7 +91,7 @@ class ContactVerifier {
     const double stored = trajectory.clearance[sample];
     // Without a stored clearance, the least distance itself is computed.
     const double limit = std::isfinite(stored) ? stored + kStoredClearanceTolerance_m : kInfinity;
-    double least = kInfinity;
+    double least = carried_.at_samples[sample];
     bool poses_updated = false;
     const bool in_window = window_.contains(time_s, time_s);
     for (int i = 0; i < std::ssize(pairs_); ++i) {
@@ -311,6 +313,7 @@ class ContactVerifier {
   std::vector<ObjectTravel> object_travels_;
   std::vector<Mesh> meshes_;  ///< [objects] empty if the object is not a mesh
   AttachedObject attached_;
+  CarriedClearance carried_;
   std::vector<JointVector> attached_motion_bounds_;  ///< [capsules] relative to the attached target
   JointRows motion_bounds_;                          ///< [pairs, n] motion bounds of the pairs
   JointVector approach_speed_;  ///< [pairs] greatest in the current piece, of the joints [m/s]

@@ -39,7 +39,8 @@ std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan
 /// between them, if a pair is closer than the plan's required_clearance. A pair that may touch in
 /// the touch window may penetrate by max_penetration there, or by max_link_penetration if the plan
 /// has one and the capsule is no pad. Records `clearance` violations if the clearance stored for a
-/// sample differs from the recomputed one by more than 1e-4 m. Returns the least distance along the
+/// sample differs from the recomputed one by more than 1e-4 m, and the violations of
+/// verify_carried_object(). Returns the least distance along the
 /// whole curve, to 0.01 mm, over all pairs at times at which they may not touch; +infinity if there
 /// are no such pairs.
 double verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,

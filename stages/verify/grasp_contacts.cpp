@@ -6,6 +6,7 @@
 
 #include "stages/verify/find_index.hpp"
 #include "stages/verify/frame_poses.hpp"
+#include "stages/verify/grasp_held.hpp"
 #include "stages/verify/mesh.hpp"
 #include "stages/verify/pad.hpp"
 #include "stages/verify/separation.hpp"
@@ -20,6 +21,10 @@ constexpr double kNormalTolerance_rad = 1e-3, kPadAngleTolerance_rad = 1e-6;
 constexpr double kGradientStep_m = 1e-6;  ///< of the finite differences of distances
 /// The greatest distance from the person's fingertip to the pad while a goal is between the two.
 constexpr double kMaxBlendOffset_m = 0.05;
+
+/// The contact's definition: largest gap, and largest angle between pad and surface.
+constexpr double kMaxContactGap_m = 2e-4, kMaxContactAngle_rad = 60 * kRadPerDegree;
+constexpr double kMaxSlide_m = 0.015;  ///< from where the person touched
 
 /// The target's surface, with distances in the target's frame.
 struct TargetSurface {
@@ -72,6 +77,21 @@ std::pair<double, double> distance_tolerances(const Plan& plan, const PadContact
   return {goal_motion_m, goal_motion_m + (capsule.to - capsule.from).norm()};
 }
 
+ContactState state_of(const PadContact& contact) {
+  const bool touching =
+      contact.signed_distance <= kMaxContactGap_m && contact.pad_angle <= kMaxContactAngle_rad;
+  return touching ? ContactState::touching : ContactState::near;
+}
+
+/// Returns by how much the point that the person touched is off the surface, or the desired one too
+/// far from it; 0 for a finger that closed by itself, which has no such point.
+double demonstrated_point_error(const PadContact& contact, const TargetSurface& surface) {
+  if (contact.origin == ContactOrigin::auto_closed)
+    return contact.demonstrated_point.array().isNaN().all() ? 0 : kInfinity;
+  const double slide_m = (contact.desired_point - contact.demonstrated_point).norm();
+  return std::max(std::abs(surface.distance(contact.demonstrated_point)), slide_m - kMaxSlide_m);
+}
+
 /// Checks that each tip has one contact if its goal at the grasp applies to its pad, else no
 /// contact, and that contacts are marked as closed automatically if the tips' goals are.
 void verify_contact_tips(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
@@ -100,6 +120,7 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationL
   const SceneObject* target = find_object(plan.scene.objects, plan.movement.target);
   if (!target) return false;
   verify_contact_tips(robot, plan, violations);
+  verify_held(robot, plan, violations);
   if (grasp.contacts.empty()) return false;
   const double time_s = plan.trajectory.demonstration_time[grasp.sample];
   const Pose object_from_base = recorded_pose(*target, time_s).inverse();
@@ -136,6 +157,7 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationL
     const Segment axis{in_object(capsule.from), in_object(capsule.to)};
     check("desired_point", std::abs(surface.distance(contact.desired_point)), kSurfaceTolerance_m);
     check("point", std::abs(surface.distance(contact.point)), kSurfaceTolerance_m);
+    check("demonstrated_point", demonstrated_point_error(contact, surface), kSurfaceTolerance_m);
     if (const auto goal = goal_at(plan.goals, tip, time_s)) {
       // The pad's sphere was to touch there, so that its centre is at the distance of its radius.
       const double excess = (object_from_base * *goal - contact.desired_point).norm() - pad.radius;
@@ -159,6 +181,7 @@ bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationL
     const double pad_angle = angle(pad_normal, contact.normal);
     if (!(std::abs(contact.pad_angle - pad_angle) <= kPadAngleTolerance_rad))
       note("pad_angle", contact.pad_angle, pad_angle);
+    if (contact.state != state_of(contact)) note("state", kUnknown, kUnknown);
     all_complete = all_complete && unit;
   }
   return all_complete;

@@ -19,6 +19,9 @@ namespace morphe::verify {
 ///                 the pad's radius; 1e-5 m, plus 5 cm times 1 - tip_to_pad_share. For a closed
 ///                 finger the distance may also be larger by the capsule's length, and may differ
 ///                 by the distance between the goals of the two frames around the grasp
+/// demonstrated_point  not on the target's surface, or farther than 15 mm from desired_point; 1e-5
+/// m;
+///                 or known for a closed finger
 /// signed_distance not the distance between the capsule and the target; 1e-5 m
 /// penetration     deeper than the plan's max_penetration; 1e-6 m
 /// pad             point - (radius + signed_distance) normal is not on the capsule's axis; 2e-5 m
@@ -27,7 +30,10 @@ namespace morphe::verify {
 ///                 direction leads from the point to the axis, so that any normal between those of
 ///                 the faces is valid there
 /// pad_angle       not the angle between the pad's normal and that of the contact; 1e-6 rad
-/// Returns false if there is no contact or one cannot be evaluated; forces cannot be verified then.
+/// state           touching though the gap is above 0.2 mm or the angle above 60 degrees, or near
+///                 though neither is
+/// Also calls verify_held(). Returns false if there is no contact or one cannot be evaluated;
+/// forces cannot be verified then.
 bool verify_grasp_contacts(const RobotModel& robot, const Plan& plan, ViolationLog& violations);
 
 }  // namespace morphe::verify

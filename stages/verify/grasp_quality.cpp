@@ -11,7 +11,7 @@
 namespace morphe::verify {
 namespace {
 
-constexpr double kMaxContactGap_m = 0.002, kQualityTolerance = 1e-6;
+constexpr double kQualityTolerance = 1e-6;
 // The gap allowed between the stored bounds of epsilon.
 constexpr double kEpsilonGapRatio = 0.05, kMinEpsilonGap = 1e-3;
 // By how much the weight that a force supports may be underestimated: relative, and at 1 N.
@@ -189,7 +189,7 @@ class GraspQualityVerifier {
 std::vector<int> touching_contacts(const Grasp& grasp) {
   std::vector<int> rows;
   for (int k = 0; k < std::ssize(grasp.contacts); ++k)
-    if (grasp.contacts[k].signed_distance <= kMaxContactGap_m) rows.push_back(k);
+    if (grasp.contacts[k].state == ContactState::touching) rows.push_back(k);
   return rows;
 }
 

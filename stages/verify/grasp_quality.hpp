@@ -8,7 +8,8 @@
 
 namespace morphe::verify {
 
-/// Returns the rows of Grasp::contacts whose pads touch: at most 2 mm from the surface.
+/// Returns the rows of Grasp::contacts that touch (verify_grasp_contacts() must have confirmed
+/// their state).
 std::vector<int> touching_contacts(const Grasp& grasp);
 
 /// Records `quality` violations for values that the plan's contacts do not confirm

@@ -18,7 +18,8 @@ namespace morphe::verify {
 /// tracking     tip                      m from its goal; tolerance of the plan at that phase, and
 ///                                       1e-4 m between samples
 /// self_collision    capsule/capsule     m of clearance; clearance required, tolerance 1e-6 m
-/// object_collision  capsule/object      the same
+/// object_collision  capsule/object, target/object   the same (carried_object.hpp)
+/// release      target                   m from the nearest object at its release; 0.01
 /// status       name of the allowance    share of goals out of reach or missing, m of a tip from
 ///                                       its goal, or s without a goal, of a plan with the wrong
 ///                                       status; the allowed value

@@ -39,15 +39,16 @@ std::string unit_of(const RobotModel& robot, const Violation& violation) {
                                                                            {"jerk", "/s^3"},
                                                                            {"rest", "/s or /s^2"}};
   static const std::vector<UnitOf> cause_units = {
-      {"m", {"tracking", "self_collision", "object_collision"}}, {"s", {"time"}}};
+      {"m", {"tracking", "self_collision", "object_collision", "release"}}, {"s", {"time"}}};
   static const std::set<std::string_view> grasp_causes = {"grasp", "contact", "quality",
                                                           "grasp_force"};
   static const std::vector<UnitOf> grasp_units = {
       {"m",
-       {"tips_in_object", "desired_point", "point", "pad", "signed_distance", "penetration",
-        "torsional_friction", "centre_of_mass", "characteristic_length"}},
+       {"tips_in_object", "desired_point", "demonstrated_point", "point", "pad", "signed_distance",
+        "penetration", "torsional_friction", "centre_of_mass", "characteristic_length"}},
       {"rad", {"grasp_posture", "normal", "pad_angle", "servo_target", "trajectory"}},
       {"kg", {"mass"}},
+      {"s", {"opposed"}},
       {"N",
        {"required_force_worst", "required_force_gravity", "available_force", "normal_force",
         "friction_cone", "force_balance"}},

@@ -15,6 +15,12 @@ from verify_plans import Robot, in_base
 PLAN = "ADL001DR2/000"
 
 
+def upwards(orientation):
+    """The third axis of an object."""
+    w, x, y, z = orientation
+    return np.array([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
+
+
 class Carrying(CommandCase):
     def plan(self, *settings):
         manifest = write_recordings(self.folder, ONE_RECORDING)
@@ -59,6 +65,52 @@ class Carrying(CommandCase):
             cup["position"][half] = (ends[0] + ends[1]) / 2
         for rows in self.violations():
             self.assertTrue([row for row in rows if row["subject"] == "forearm_right/cup"], rows)
+
+    def forged(self, change):
+        """The causes and subjects of the violations of the plan after a change, which both judges find."""
+        honest = self.plans.read_bytes()
+        with h5py.File(self.plans, "r+") as file:
+            change(file["plans"][PLAN])
+        own, other = ({(row["cause"], row["subject"]) for row in rows} for rows in self.violations())
+        self.plans.write_bytes(honest)
+        return own, other
+
+    def test_forged_scenes_and_releases(self):
+        self.plan()
+        with h5py.File(self.plans) as file:
+            cup = file["plans"][PLAN]["scene/cup"]
+            size, positions = cup.attrs["size"], cup["position"][()]
+        def bead(plan):  # above the cup, farther from the hand than from its rim
+            scene, half = plan["scene"], len(positions) // 2
+            scene.copy("table", "bead")
+            scene["bead"].attrs["shape"], scene["bead"].attrs["size"] = np.bytes_("sphere"), np.array([0.004])
+            scene["bead/position"][0] = positions[half] + upwards(scene["cup/orientation"][half]) * size[1] / 2
+            scene["bead/orientation"][0] = [1, 0, 0, 0]
+        def released_in_the_air(plan):
+            names, ends = list(plan["phases/name"].asstr()), plan["phases/end_s"][()]
+            last = max(k for k, name in enumerate(names) if name == "transport")
+            ends[last] -= 0.5
+            plan["phases/end_s"][...] = ends
+            plan["scene/cup"].attrs["release_s"] = ends[last]
+        def put_down_too_deep(plan):
+            plan["scene/table/position"][0] += 4e-3 * upwards(plan["scene/table/orientation"][0])
+        for change, found in ((bead, ("object_collision", "cup/bead")),
+                              (released_in_the_air, ("release", "cup")),
+                              (put_down_too_deep, ("object_collision", "cup/table"))):
+            for causes in self.forged(change):
+                self.assertIn(found, causes)
+
+    def test_an_object_in_the_cups_way(self):
+        scene = self.folder / "bead.yaml"
+        scene.write_text("objects: [{name: bead, shape: sphere, size: [0.008], "
+                         "position: [-0.0270, -0.0666, 0.4832], avoid_in_mapping: false}]\n")
+        self.plan("--set", f"scene.file={scene}")
+        with h5py.File(self.plans) as file:
+            plan = file["plans"][PLAN]
+            self.assertEqual(text(plan.attrs["reason"]), "goal_in_collision")
+            self.assertRegex(text(plan.attrs["detail"]), "^cup is .* mm too close to bead, ")
+            self.assertIn("scene.target.carried_by=palm", text(plan.attrs["detail"]))
+        self.assertEqual(self.violations(), ([], []))
 
     def test_rigidly_in_the_palm(self):
         self.plan("--set", "scene.target.carried_by=palm", "--set", "repair.max_iterations=1",

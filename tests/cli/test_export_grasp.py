@@ -46,6 +46,7 @@ class ExportGrasp(CommandCase):
         contacts = self.grasp["contacts"]
         self.assertEqual([row["tip"] for row in rows], list(contacts["tip"].asstr()))
         self.assertEqual([row["origin"] for row in rows], list(contacts["origin"].asstr()))
+        self.assertEqual([row["state"] for row in rows], list(contacts["state"].asstr()))
         for column, name in (("signed_distance_m", "signed_distance"), ("pad_angle_rad", "pad_angle"),
                              ("normal_force_N", "normal_force")):
             self.assertEqual([float(row[column] or "nan") for row in rows],

@@ -123,6 +123,13 @@ class Forged(CommandCase):
         self.finds("contact", f"{tip}/desired_point",
                    lambda plan: add(plan["grasp/contacts/desired_point"], 0, 1e-3), nothing_else=True)
 
+        self.finds("contact", f"{tip}/demonstrated_point",
+                   lambda plan: add(plan["grasp/contacts/demonstrated_point"], 0, 1e-3), nothing_else=True)
+
+        def only_near(plan):
+            plan["grasp/contacts/state"][0] = "near"
+        self.finds("contact", f"{tip}/state", only_near)
+
         def another_link(plan):
             names = plan["grasp/contacts/link"][()]
             plan["grasp/contacts/link"][0] = names[1]

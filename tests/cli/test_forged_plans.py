@@ -18,9 +18,9 @@ HOME = {"S1": 1.6, "S2": -1.2, "S3": -1.7, "E1": 1.7, "E2": -1.5, "W1": 0.3, "W2
 NO_LIES = {"a_sample_left_out", "every_nth_sample", "a_position_moved", "a_velocity_changed",
            "an_acceleration_changed", "a_joint_shifted_throughout", "an_object_of_another_size",
            "mapped_elsewhere"}
-# These plans have an approach, no goals of orientation, and no pad that sinks in.
+# These plans have an approach, no goals of orientation, no pad that sinks in, and end with the grasp.
 NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "tip_orientation_error_max_in_the_certificate",
-            "a_penetration_deeper"}
+            "a_penetration_deeper", "an_obstacle_on_the_way_of_the_target", "released_in_the_air"}
 
 
 def setUpModule():

@@ -237,11 +237,11 @@ class TradeOffStudy(CommandCase):
         rows = json.loads((out / "results.json").read_text())["rows"]
         figures = {(row["case"].get("recordings"), row["case"]["weight"], row["metric"]): row["ours"] for row in rows}
         knee = figures[None, "map.palm_direction", "knee"]
-        self.assertIn(knee, (0, 1.2))
+        self.assertIn(knee, (0, 1.6))
         self.assertGreater(figures["choose", "map.palm_direction=0", "executable"], 0)
         palm = {value: figures["choose", f"map.palm_direction={value}", "palm angle to the human's, median"]
-                for value in ("0", "1.2")}
-        self.assertLess(palm["1.2"], palm["0"])
+                for value in ("0", "1.6")}
+        self.assertLess(palm["1.6"], palm["0"])
         table = (out / "palm_direction.md").read_text()
         for value, angle in palm.items():
             shown = f"**{value}**" if float(value) == knee else value
@@ -251,7 +251,7 @@ class TradeOffStudy(CommandCase):
 
     def test_values_must_ascend(self):
         config = self.folder / "trade_off.yaml"
-        config.write_text(with_whole_paths("trade_off").replace("[0, 0.075,", "[0.075, 0,"))
+        config.write_text(with_whole_paths("trade_off").replace("[0, 0.1,", "[0.1, 0,"))
         result = morphe("study", config, "--quick", "--out", self.folder / "out")
         self.assertEqual(result.returncode, 2)
         self.assertIn("values: must ascend", result.stderr)

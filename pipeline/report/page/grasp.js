@@ -41,14 +41,14 @@ const approachEntries = (direction) => (direction?.every((x) => x !== null)
     ? [["approach direction (target frame)", direction.map((x) => x.toFixed(2).replace("-", "−")).join(", ")]] : []);
 
 function contactParts({ contacts, quality, grasp_force, approach_direction }) {
-  const head = ["contact", "link", "origin", "gap mm", "pad angle °", "force N", "confidence"];
-  const cells = (contact) => [contact.link, contact.origin, millimetres(contact.signed_distance, 2), numberText(contact.pad_angle * kDegreesPerRadian),
+  const head = ["contact", "link", "origin", "state", "gap mm", "pad angle °", "force N", "confidence"];
+  const cells = (contact) => [contact.link, contact.origin, contact.state, millimetres(contact.signed_distance, 2), numberText(contact.pad_angle * kDegreesPerRadian),
                           numberText(contact.normal_force), contact.confidence.toFixed(2)];
   const table = build("table", { class: "contacts" },
       build("thead", {}, build("tr", {}, ...head.map((name) => build("th", { scope: "col" }, name)))),
       build("tbody", {}, ...contacts.map((contact) => build("tr", {},
           build("th", { scope: "row" }, plainText(contact.tip)),
-          ...cells(contact).map((text, k) => build("td", { class: k < 2 ? null : "number" }, plainText(text)))))));
+          ...cells(contact).map((text, k) => build("td", { class: k < 3 ? null : "number" }, plainText(text)))))));
   const isKnown = quality.epsilon_lower !== null;
   const qualityPart = !isKnown ? build("p", {}, "Fewer than two contacts touch: the grasp quality is unknown.")
       : figureList([

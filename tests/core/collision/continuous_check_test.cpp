@@ -145,7 +145,7 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
     EXPECT_EQ(check.verdict == MotionVerdict::free, failing.empty());
     std::set<std::tuple<bool, int, int>> failed;
     for (const MotionCheck& one : failing) {
-      failed.insert({one.pair.other_is_object, one.pair.capsule, one.pair.other});
+      failed.insert({one.pair.other_is_object, one.pair.first, one.pair.other});
       EXPECT_LT(one.pair.slack(), one.verdict == MotionVerdict::colliding ? 0 : 1e-4);
       EXPECT_GE(one.parameter, one.begin);
       EXPECT_LE(one.parameter, one.end);
@@ -167,9 +167,8 @@ TEST(CheckMotion, VerdictsHoldUnderDenseSampling) {
       near_pairs(world, q, time_s, 0, scratch, near);
       for (const PairSeparation& pair : near) {
         const bool known = std::ranges::any_of(failing, [&](const MotionCheck& one) {
-          return one.pair.other_is_object == pair.other_is_object &&
-                 one.pair.capsule == pair.capsule && one.pair.other == pair.other &&
-                 one.begin <= s / 200.0 && one.end >= s / 200.0;
+          return one.pair.other_is_object == pair.other_is_object && one.pair.first == pair.first &&
+                 one.pair.other == pair.other && one.begin <= s / 200.0 && one.end >= s / 200.0;
         });
         EXPECT_TRUE(known) << k << " " << s << " slack " << pair.slack();
       }

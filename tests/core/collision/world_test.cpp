@@ -112,7 +112,7 @@ std::vector<PairSeparation> all_pairs(const CollisionWorld& world, double time_s
                                       const CollisionScratch& scratch) {
   std::vector<PairSeparation> pairs;
   for (const auto& [i, j] : world.pairs) {
-    pairs.push_back({i, j, false,
+    pairs.push_back({{i, j, false},
                      capsule_capsule(scratch.bodies[static_cast<std::size_t>(i)],
                                      scratch.bodies[static_cast<std::size_t>(j)]),
                      world.tolerances.required_clearance});
@@ -121,7 +121,7 @@ std::vector<PairSeparation> all_pairs(const CollisionWorld& world, double time_s
     for (std::size_t k = 0; k < world.scene->objects.size(); ++k) {
       const int capsule = static_cast<int>(i), object = static_cast<int>(k);
       const SceneObject& solid = world.scene->objects[k];
-      pairs.push_back({capsule, object, true,
+      pairs.push_back({{capsule, object, true},
                        capsule_solid(scratch.bodies[i], solid, recorded_pose(solid, time_s)),
                        required_distance_m(world, capsule, object, time_s)});
     }
@@ -153,7 +153,7 @@ TEST(World, QueriesEqualThoseOverAllPairs) {
       if (pair.required_distance_m >= 0) clear_m = std::min(clear_m, pair.separation.distance);
       if (pair.slack() >= below_m) continue;
       ASSERT_LT(next, near.size());
-      EXPECT_EQ(near[next].capsule, pair.capsule);
+      EXPECT_EQ(near[next].first, pair.first);
       EXPECT_EQ(near[next].other, pair.other);
       EXPECT_EQ(near[next].other_is_object, pair.other_is_object);
       EXPECT_EQ(near[next++].separation.distance, pair.separation.distance);
@@ -196,7 +196,7 @@ TEST(World, FclAgreesOnWholeRobots) {
     FclEngine(world).colliding_pairs(q, time_s, scratch, fcls);
     ASSERT_EQ(ours.size(), fcls.size());
     for (std::size_t p = 0; p < ours.size(); ++p) {
-      EXPECT_EQ(ours[p].capsule, fcls[p].capsule);
+      EXPECT_EQ(ours[p].first, fcls[p].first);
       EXPECT_EQ(ours[p].other, fcls[p].other);
     }
     EXPECT_EQ(FclEngine(world).is_free(q, time_s, scratch), ours.empty());

@@ -38,6 +38,7 @@ TEST(Name, IsThatOfItsValue) {
   EXPECT_EQ(name_of(Reason::smoothing_collision), "smoothing_collision");
   EXPECT_EQ(name_of(Reason::no_retreat), "no_retreat");
   EXPECT_EQ(name_of(Reason::no_reference_frame), "no_reference_frame");
+  EXPECT_EQ(name_of(Reason::released_in_air), "released_in_air");
   EXPECT_EQ(name_of(Reason::rejected), "rejected");
   EXPECT_EQ(name_of(HandKind::keypoints), "keypoints");
   EXPECT_EQ(name_of(SampleOrigin::re_solved), "re_solved");

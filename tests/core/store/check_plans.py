@@ -159,9 +159,10 @@ with h5py.File(sys.argv[1]) as file:
         "grasp/pregrasp_posture": ((3,), "f", "rad or m", None),
         "goals/tip_to_pad_share": ((4, 2), "f", "1", None),
         "goals/auto_closed": ((2,), "u", "1", None),
-        **{f"grasp/contacts/{name}": ((2,), "S", "", None) for name in ("tip", "link", "origin")},
+        **{f"grasp/contacts/{name}": ((2,), "S", "", None) for name in ("tip", "link", "origin", "state")},
         **{f"grasp/contacts/{name}": ((2, 3), "f", unit, "object")
-           for name, unit in {"desired_point": "m", "point": "m", "normal": "1", "friction_force": "N"}.items()},
+           for name, unit in {"demonstrated_point": "m", "desired_point": "m", "point": "m", "normal": "1",
+                              "friction_force": "N"}.items()},
         **{f"grasp/contacts/{name}": ((2,), "f", unit, None)
            for name, unit in {"signed_distance": "m", "pad_angle": "rad", "confidence": "1", "normal_force": "N"}.items()},
         "grasp/grasp_force/torque": ((3,), "f", "N m", None),

@@ -271,9 +271,9 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.grasp.grasp_posture = number.vector(3);
   plan.grasp.pregrasp_posture = number.vector(3);
   for (const ContactOrigin origin : {ContactOrigin::demonstrated, ContactOrigin::auto_closed}) {
-    plan.grasp.contacts.push_back({"tip", "finger", origin, number.point(), number.point(),
-                                   number.point(), number(), number(), number(), number(),
-                                   number.point()});
+    plan.grasp.contacts.push_back({"tip", "finger", origin, ContactState::touching, number.point(),
+                                   number.point(), number.point(), number.point(), number(),
+                                   number(), number(), number(), number.point()});
   }
   plan.grasp.quality = {number(), number(), number(), number.point(), number(),
                         number(), number(), number(), number(),       number()};

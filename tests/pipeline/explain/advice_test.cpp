@@ -129,7 +129,7 @@ TEST(Advice, AgreesWithTheReason) {
       {"repair.attempts", {Reason::start_in_collision, Reason::no_path, Reason::tracking}},
       {"approach", {Reason::no_approach, Reason::no_retreat}},
       {"retime.", {Reason::duration_too_short}},
-      {"segment.", {Reason::no_movement}},
+      {"segment.", {Reason::no_movement, Reason::not_held, Reason::released_in_air}},
       {"human.", {Reason::implausible_arm}},
       {"relative_to", {Reason::no_reference_frame}},
       {"report it", {Reason::invalid_path, Reason::rejected}},

@@ -6,6 +6,7 @@
 
 #include "core/robot/files/description.hpp"
 #include "core/robot/forward_kinematics.hpp"
+#include "stages/grasp/closure_goals.hpp"
 #include "stages/grasp/measure.hpp"
 
 namespace morphe::grasp {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/robot/files/description.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "tests/support/finite_differences.hpp"
 #include "tests/support/random_positions.hpp"
 
@@ -58,6 +59,49 @@ TEST(ClearanceTerm, GradientIsThatOfTheValue) {
     ++compared;
   }
   EXPECT_GE(compared, 20);
+}
+
+/// A ball in the palm, beside another one: the gradient is that of the way of what is carried.
+TEST(ClearanceTerm, OfWhatIsCarriedHasTheGradientOfItsValue) {
+  ClearanceBench bench;
+  const JointVector q = 0.5 * (bench.robot.lower + bench.robot.upper);
+  std::vector<Pose> base_from_frame;
+  robot::forward_kinematics(bench.robot, q, base_from_frame);
+  const Vec3 palm = base_from_frame[bench.robot.palm_frame].translation();
+  const auto ball = [&](const std::string& name, const Vec3& position) {
+    SceneObject made;
+    made.name = name;
+    made.shape = Shape::sphere;
+    made.size = {0.01};
+    made.time = {0};
+    made.position = {position};
+    made.orientation = {Quat::Identity()};
+    return made;
+  };
+  // A metre away, so that no link is near; farther apart than what is stood on.
+  SceneObject carried = ball("carried", palm + Vec3(0, 0, 1));
+  carried.attached_frame = bench.robot.frames[bench.robot.palm_frame].name;
+  carried.attach_s = 0;
+  bench.scene.objects = {carried, ball("other", palm + Vec3(0.013, 0.013, 1.013))};
+  Movement movement;
+  movement.target = "carried";
+  bench.world = collision::make_world(bench.robot, bench.scene, movement, Tolerances{});
+  bench.world.pairs.erase_if([](const auto&) { return true; });
+  collision::attach_target({0, 1}, q.transpose().replicate(2, 1), bench.world);
+  ClearanceTerm term;
+  ClearanceScratch scratch;
+  const auto model_at = [&](const JointVector& at) {
+    solve::Quadratic model;
+    model.reset(at.size());
+    add_clearance(term, bench.world, at, 0.5, scratch, model);
+    return model;
+  };
+  EXPECT_GT(model_at(q).value, 0);
+  const JointVector numeric =
+      numeric_gradient([&](const JointVector& at) { return model_at(at).value; }, q, 1e-7);
+  EXPECT_GT(numeric.cwiseAbs().maxCoeff(), 1);
+  EXPECT_LT((model_at(q).gradient - numeric).cwiseAbs().maxCoeff(),
+            1e-4 * numeric.cwiseAbs().maxCoeff());
 }
 
 TEST(ClearanceTerm, NothingBeyondTheBandOrSwitchedOff) {

@@ -116,6 +116,17 @@ TEST(BuildScene, WithoutTableTheCupIsCentredAtTheTips) {
   EXPECT_NEAR(object(scene, "cup").position[0].z(), 0.08, 1e-12);
 }
 
+TEST(BuildScene, WhatIsGraspedFarAboveTheTableDoesNotStandOnIt) {
+  Grasping g;
+  SceneOptions options;
+  options.table.height = 0.11 - 0.299;  // the rim is 20 mm above the higher tip, at 0.11
+  EXPECT_NEAR(object(build_scene(options, {}, g.motion, g.movement), "cup").size[1], 0.299, 1e-12);
+  options.table.height = 0.11 - 0.301;
+  const SceneObject cup = object(build_scene(options, {}, g.motion, g.movement), "cup");
+  EXPECT_NEAR(cup.size[1], options.target.height, 1e-12);
+  EXPECT_NEAR(cup.position[0].z(), 0.08, 1e-12) << "as without a table";
+}
+
 TEST(BuildScene, ACupIsCarriedUntilTheLastTransportEnds) {
   Grasping g;
   g.movement.phases.push_back({PhaseKind::transport, 6.5, 6.7, 1});

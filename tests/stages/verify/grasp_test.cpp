@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "planar_plan.hpp"
 #include "stages/verify/finger_jacobian.hpp"
@@ -44,7 +45,8 @@ Plan grasping() {
   contact.tip = "index";
   contact.link = "distal";
   contact.normal = (centre - tip).normalized();
-  contact.point = contact.desired_point = -0.03 * contact.normal;
+  contact.point = contact.desired_point = contact.demonstrated_point = -0.03 * contact.normal;
+  contact.state = ContactState::touching;
   contact.signed_distance = -0.002;
   contact.pad_angle = 0;
   grasp.contacts = {contact};
@@ -68,7 +70,10 @@ TEST(VerifyGrasp, AFingerThatWasClosedMayHaveMetTheTargetBesideItsBall) {
   plan.goals.auto_closed.assign(plan.goals.tip_position.cols, 0);
   plan.goals.auto_closed.back() = 1;
   contact.origin = ContactOrigin::auto_closed;
+  const Vec3 touched = std::exchange(contact.demonstrated_point, unknown_point());
   EXPECT_EQ(found_in(plan), Causes());
+  contact.demonstrated_point = touched;
+  EXPECT_EQ(found_in(plan), Causes{"contact index/demonstrated_point"}) << "nobody touched there";
   contact.origin = ContactOrigin::demonstrated;
   plan.goals.auto_closed.clear();
   EXPECT_EQ(found_in(plan), Causes{"contact index/desired_point"});
@@ -95,6 +100,14 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
        }},
       {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[0].y() += 1e-5; }},
       {"grasp tips_in_object", [](Plan& plan) { plan.grasp.tips_in_object[1] = unknown_point(); }},
+      {"contact index/state", [&](Plan& plan) { contact(plan).state = ContactState::near; }},
+      {"contact index/demonstrated_point",
+       [&](Plan& plan) { contact(plan).demonstrated_point *= 0.999; }},
+      {"contact index/demonstrated_point",  // on the sphere, 20 mm away
+       [&](Plan& plan) {
+         contact(plan).demonstrated_point =
+             Eigen::AngleAxisd(0.7, Vec3::UnitZ()) * contact(plan).desired_point;
+       }},
       {"contact index/link", [&](Plan& plan) { contact(plan).link = "proximal"; }},
       {"contact pinkie/link", [&](Plan& plan) { contact(plan).tip = "pinkie"; }},
       {"contact index/point", [&](Plan& plan) { contact(plan).point *= 1.001; }},
@@ -146,6 +159,22 @@ TEST(VerifyGrasp, FindsWhatIsForged) {
     c.forge(plan);
     EXPECT_EQ(found_in(plan).count(c.cause), 1u) << c.cause;
   }
+}
+
+TEST(VerifyGrasp, ATargetThatIsCarriedIsHeldByTwoOpposedContacts) {
+  Plan plan = grasping();
+  plan.movement.phases.push_back({PhaseKind::transport, 2.7999, 2.8, 1});
+  EXPECT_EQ(found_in(plan).count("contact opposed"), 0u) << "without the section grasp";
+  plan.tolerances.max_link_penetration = 0.005;
+  EXPECT_EQ(found_in(plan).count("contact opposed"), 1u);
+  PadContact opposite = plan.grasp.contacts[0];
+  opposite.tip = "thumb";
+  opposite.point *= -1;
+  opposite.normal *= -1;
+  plan.grasp.contacts.push_back(opposite);
+  EXPECT_EQ(found_in(plan).count("contact opposed"), 0u);
+  plan.grasp.contacts[1].state = ContactState::near;
+  EXPECT_EQ(found_in(plan).count("contact opposed"), 1u) << "which is only near";
 }
 
 TEST(VerifyGrasp, JudgesTheGoalsOfPads) {
