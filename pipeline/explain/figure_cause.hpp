@@ -10,7 +10,7 @@
 
 namespace morphe::explain {
 
-/// What a figure of posture is due to (docs/steps/explain.md has the rule):
+/// The causes of a figure of posture (docs/steps/explain.md has the rule):
 ///   small              below 6 degrees
 ///   placement          where the base is
 ///   size               the lengths of upper arm and forearm

@@ -25,7 +25,7 @@ inline constexpr ClearanceWeights kStrongestWeights{30000, 0.2, 30};
 inline constexpr ClearanceWeights kContactPostureWeights{1000, 0.2};
 /// Factors for a path with contacts: the same, and tips that keep their contacts although the pads'
 /// directions and the arm pull at them: 12 times the default keeps all gaps of the shipped drinks
-/// within 0.02 mm; with 30 times, no pad remained within 12 degrees.
+/// within 0.02 mm. More holds pads back from turning; chosen by hand.
 inline constexpr ClearanceWeights kContactWeights{1000, 0.2, 12};
 /// Weight that pulls a sliding contact to where the person touched: 5 mm count as one.
 inline constexpr double kSlideWeight_per_m2 = 1 / (0.005 * 0.005);
@@ -33,7 +33,8 @@ inline constexpr double kSlideWeight_per_m2 = 1 / (0.005 * 0.005);
 /// agree. With 20, 50 % of the pads remained within 12 degrees on the shipped drinks, with 50 83 %.
 inline constexpr double kPadDirectionFactor = 50;
 /// Weight that keeps the arm where the path has it while contacts slide [1/rad²]: the fingers turn
-/// the pads. Without it, the palm of the DLR/HIT II turned by 5 degrees on the shipped drinks.
+/// the pads. Without it, the palm of the DLR/HIT II turned by 5 degrees on the shipped drinks, with
+/// the weights of the mapping at that time.
 inline constexpr double kContactArmWeight = 100;
 /// Number of other starts from which the posture at the grasp is solved, and how far their fingers
 /// are from those of the path, as a share of the way to positions spread over all limits. Another

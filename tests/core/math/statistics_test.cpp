@@ -61,7 +61,7 @@ TEST(Statistics, MeanLeavesOutWhatIsNotANumber) {
 }
 
 TEST(Statistics, CorrelationInClosedForm) {
-  // Of 0, 1, 2, 3 and their squares: 15 / sqrt(5 · 49).
+  // The correlation of 0, 1, 2, 3 and their squares is 15 / sqrt(5 · 49).
   EXPECT_NEAR(correlation({0, 1, 2, 3}, {0, 1, 4, 9}), 15 / std::sqrt(245.0), 1e-15);
   EXPECT_NEAR(correlation({1, 2, 4}, {-2, -4, -8}), -1, 1e-15);
   EXPECT_TRUE(std::isnan(correlation({1}, {2})));

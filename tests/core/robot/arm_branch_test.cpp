@@ -152,7 +152,7 @@ TEST(ArmBranch, EachOfTheEightSolutionsOfAUR5eHasItsOwn) {
     numbers.insert(*branch.number);
     shoulders.insert(fmt::format("{} {}", solution.shoulder, branch.words[0]));
     wrists.insert(fmt::format("{} {}", solution.wrist, branch.words[2]));
-    // Of two solutions that differ in the elbow alone, the higher one is the elbow that is up.
+    // The elbow is up in the higher one of two solutions that differ in the elbow alone.
     JointVector other = solution.q;
     for (const UrSolution& one : ur_solutions(posture))
       if (one.shoulder == solution.shoulder && one.wrist == solution.wrist &&

@@ -104,8 +104,7 @@ TEST(PalmFloor, FingersThatCannotTurnForceTheirAngle) {
     robot.lower[j] = robot.upper[j] = plan.trajectory.position(0, j);
   }
   const Vec3 line = (plan.goals.tip_position(0, 1) - plan.goals.tip_position(0, 0)).normalized();
-  // Of a turn about an axis across the line of two held tips, nothing is possible with stiff
-  // fingers.
+  // Stiff fingers cannot turn about an axis across the line of two held tips.
   plan.goals.wrist_orientation = {Quat(Eigen::AngleAxisd(0.3, line.unitOrthogonal())) *
                                   Quat(frames[robot.palm_frame].linear())};
   const PalmFloor floor = palm_floor(robot, plan);
