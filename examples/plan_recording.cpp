@@ -22,7 +22,7 @@ int main(int argc, char** argv) try {
   morphe::store::PlanWriter writer(plans, pipeline.header(imported), pipeline.robot());
   for (const std::string& name : demonstrations.names()) {
     for (const morphe::Plan& plan : pipeline.plan(demonstrations.read(name))) {
-      std::string said(name_of(plan.status()));  // executable, approximate or infeasible
+      std::string said(name_of(plan.status()));  // executable, approximate, partial or infeasible
       if (!plan.has_trajectory()) said = std::string(name_of(plan.reason)) + ": " + plan.detail;
       std::printf("%s/%03d: %s\n", name.c_str(), plan.movement.index, said.c_str());
       writer.add(plan);

@@ -358,6 +358,14 @@ def a_preshape_into_the_grasp(f):
     f.plan["phases/end_s"][f.phase("preshape")] += 1e-3 * f.size
 
 @lie("phases and times")
+def a_lift_before_the_transport(f):
+    f.plan["phases/begin_s"][f.phase("lift")] -= 1e-3 * f.size
+
+@lie("phases and times")
+def a_home_after_the_return(f):
+    f.plan["phases/end_s"][f.phase("home")] += 1e-3 * f.size
+
+@lie("phases and times")
 def a_phase_without_time(f):
     f.plan["phases"][f.rng.choice(["begin_s", "end_s"])][f.row("phases/name")] = np.nan
 
@@ -577,7 +585,7 @@ CERTIFICATE = [name for name in verify_plans.EXTREMES] + [
     "joint_limit_margin", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp",
     "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max", "forearm_error_mean",
     "forearm_error_max", "swivel_error_mean", "swivel_error_max", "palm_error_mean", "palm_error_max",
-    "wrist_speed_correlation", "duration_ratio", "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human", "log_dimensionless_jerk_robot"]
+    "wrist_speed_correlation", "held_drift", "held_turn", "duration_ratio", "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human", "log_dimensionless_jerk_robot"]
 for _name in CERTIFICATE:
     def _forge(f, name=_name):
         value = f.plan["certificate"].attrs[name]
@@ -812,6 +820,22 @@ def clearances(robot, plan, name):
     return verify_plans.check_contacts(robot, plan, motion, phases, told, report, substeps=1)[1]
 
 
+def restate_kinds(robot, plan):
+    """Writes the clearances by kind as they are."""
+    group = plan["certificate/clearance_by_kind"]
+    motion = verify_plans.read_motion(robot, plan["trajectory"], report := verify_plans.Report(""))
+    phases = list(zip(plan["phases/name"].asstr(), plan["phases/begin_s"], plan["phases/end_s"]))
+    kinds, _, closest = verify_plans.check_contacts(robot, plan, motion, phases, plan["trajectory/clearance"][()], report)
+    names = [kind for kind in ("self", "table", "objects", "target") if kind in kinds]
+    pairs = [closest[kind][0].split("/", 1) for kind in names]
+    for name, values in (("kind", names), ("clearance", [kinds[kind] for kind in names]),
+                         ("first", [pair[0] for pair in pairs]), ("second", [pair[1] for pair in pairs]),
+                         ("time", [closest[kind][1] for kind in names])):
+        attributes = dict(group[name].attrs)
+        del group[name]
+        group.create_dataset(name, data=values).attrs.update(attributes)
+
+
 def keep(file):
     """A file that must not be lost with its folder."""
     copy = Path(tempfile.gettempdir()) / f"forged_{os.getpid()}.h5"
@@ -839,11 +863,14 @@ def repair(file, found):
     """Gives each plan the certificate that verify computed, and the clearance of samples."""
     changed = False
     robot = Robot(file["robot"])
+    restated = set()
     for path, rows in found.items():
         plan = file["plans"][path]
         for row in rows:
             changed = True
-            if row["cause"] == "certificate" and row["subject"] in plan["certificate"].attrs:
+            if row["subject"].startswith("clearance_by_kind") and row["cause"] == "certificate":
+                restated.add(path)
+            elif row["cause"] == "certificate" and row["subject"] in plan["certificate"].attrs:
                 value = np.nan if row["limit"] is None else row["limit"]
                 kind = plan["certificate"].attrs[row["subject"]].dtype.type
                 plan["certificate"].attrs[row["subject"]] = kind(value)
@@ -851,6 +878,8 @@ def repair(file, found):
                 name = (row["plan"].split("/") + ["trajectory"])[2]
                 if (own := clearances(robot, plan, name)) is not None:
                     plan[name]["clearance"][...] = own
+    for path in restated:
+        restate_kinds(robot, file["plans"][path])
     return changed
 
 

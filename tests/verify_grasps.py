@@ -8,6 +8,7 @@ from verify_promises import pose_at
 
 SAME, POINT, AXIS, UNIT = 1e-6, 1e-5, 2e-5, 1e-6
 GAP, TILT, SLIDE = 2e-4, np.radians(60), 0.015  # of a contact that touches; m, rad, m
+DRIFT, TURN = 5e-4, np.radians(1)  # of a pad in the hand that carries; m, rad
 
 def check_grasp(robot, plan, motion, phases, poses, report):
     target = text(plan.attrs["target"])
@@ -42,9 +43,34 @@ def check_grasp(robot, plan, motion, phases, poses, report):
     if not (same & (wide.max() - wide <= SAME)).any():
         report.add("grasp", "pregrasp_posture", np.nan, SAME)
     check_who_touches(robot, plan, time[sample], report)
+    held = held_figures(robot, plan, motion, phases, poses)
+    for name, limit in (("held_drift", DRIFT), ("held_turn", TURN)):
+        if held[name] > limit:
+            report.add("contact", name, held[name], limit)
     if "contacts" in grasp:
         check_contacts(robot, plan, here, object_from_base, report)
         check_squeeze(robot, plan, here, base_from_object, motion, sample, report)
+
+def held_figures(robot, plan, motion, phases, poses):
+    """By how much touching pads move and turn in the palm while the target is carried."""
+    found = {"held_drift": np.nan, "held_turn": np.nan}
+    ways = [(begin, end) for name, begin, end in phases if name == "transport"]
+    if not text(plan.attrs["target"]) or not any(b < plan.attrs["end_s"] for b, _ in ways) or "grasp/contacts" not in plan:
+        return found
+    sample, contacts = plan["grasp"].attrs["sample"], plan["grasp/contacts"]
+    held = np.flatnonzero(motion["demonstration_time"] <= ways[-1][1])
+    held = held[held >= sample]
+    from_palm = np.linalg.inv(poses[held, robot.palm])
+    names, pads = [text(t) for t in robot.tip_names], robot.pads()
+    for k in np.flatnonzero(touches(contacts)):
+        m = names.index(text(contacts["tip"][k]))
+        link = from_palm @ poses[held, robot.tips["frame"][m]]
+        place = link @ np.r_[pads[m][1], 1]
+        turn = np.einsum("ij,kjl->kil", link[0, :3, :3].T, link[:, :3, :3])
+        chord = np.linalg.norm(turn - np.eye(3), axis=(1, 2)) / np.sqrt(8)
+        found = {"held_drift": np.fmax(found["held_drift"], np.linalg.norm(place - place[0], axis=1).max()),
+                 "held_turn": np.fmax(found["held_turn"], 2 * np.arcsin(np.minimum(chord, 1)).max())}
+    return found
 
 def check_who_touches(robot, plan, time, report):
     goals, contacts = plan["goals"], plan["grasp"].get("contacts")

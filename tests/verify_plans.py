@@ -13,8 +13,8 @@ import numpy as np
 from verify_geometry import (Mesh, Robot, asked_points, columns, goals_at, in_base, segment_distance,
                              radius_about_centre, segment_solid_distance, signed_distance, solids_distance, text)
 from verify_branches import check_branch
-from verify_grasps import check_grasp
-from verify_promises import check_promises, check_transfer
+from verify_grasps import check_grasp, held_figures
+from verify_promises import REFINING, check_promises, check_transfer
 
 POINTS, SUBSTEPS = np.linspace(0, 1, 33), 4  # of each quintic: for the limits, for contacts and tips
 FINE_SUBSTEPS = 64  # where a clearance is said to be less than was seen
@@ -93,8 +93,9 @@ def check_limits(robot, motion, report):
     return found
 
 def is_grasping(phases, time):
+    put_down = [end for name, _, end in phases if name == "transport"][-1:] or [np.inf]
     return sum(((time >= begin) & (time <= end) for name, begin, end in phases
-                if name in ("grasp", "hold")), np.zeros(len(time), bool))
+                if name == "grasp" or name == "hold" and begin < put_down[0]), np.zeros(len(time), bool))
 
 def dense(robot, motion, substeps=SUBSTEPS):
     """The samples, and substeps - 1 points between: positions, poses, clock, demonstration time."""
@@ -378,28 +379,32 @@ def touch_times(phases, time):
     return (time >= min(begins)[0] - 1e-9) & (time <= max(end for _, end in ends) + 1e-9)
 
 def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEPS):
-    """The least clearance, and that of each sample, of which `stored` is what is said."""
+    """The least clearance of each kind of pair, that of each sample, of which `stored` is what is said, and the closest
+    pair of each kind with its time."""
     (poses, clock, time), caps = dense(robot, motion, substeps), robot.capsules
     ends = [(in_base(poses, frame, a), in_base(poses, frame, b))
             for frame, a, b in zip(caps["frame"], caps["from"], caps["to"])]
     middles = [(a + b) / 2 for a, b in ends]
     halves = [np.linalg.norm(b - a, axis=1) / 2 for a, b in ends]
     window = touch_times(phases, time)
-    margin, depth, least = plan.attrs["required_clearance"], plan.attrs["max_penetration"], np.inf
+    margin, depth, least = plan.attrs["required_clearance"], plan.attrs["max_penetration"], {}
+    closest = {}
     pads, of_links = {capsule for capsule, _ in robot.pads()}, plan.attrs.get("max_link_penetration", depth)
     sampled = np.arange(len(time)) % substeps == 0
     own = np.full(len(time), np.inf)  # clearance of each instant; exact up to what is stored at samples
     told = np.where(np.isfinite(stored), stored + BETWEEN, np.inf)
-    def judge(cause, subject, bound, exact, touching, depth=0):
-        nonlocal least
+    def judge(kind, subject, bound, exact, touching, depth=0):
+        cause = "self_collision" if kind == "self" else "object_collision"
         required = np.where(touching, -depth, margin)
-        wanted = np.maximum(required, least)
+        wanted = np.maximum(required, least.setdefault(kind, np.inf))
         wanted[sampled] = np.where(touching[sampled], required[sampled],
                                    np.maximum(wanted[sampled], np.minimum(told, own[sampled])))
         near = bound < wanted
         distance = bound.copy()
         distance[near] = exact(near)
-        least = min(least, distance[~touching].min(initial=np.inf))
+        apart = np.where(touching, np.inf, distance)
+        if (nearest := apart.min()) < least[kind]:
+            least[kind], closest[kind] = nearest, (subject, clock[apart.argmin()])
         own[~touching] = np.minimum(own, distance)[~touching]
         report.add_runs(cause, subject, ~(distance >= required - DISTANCE), required - distance,
                         lambda k: (distance[k], required[k], (k + substeps // 2) // substeps, clock[k]))
@@ -408,7 +413,7 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
         if caps["frame"][i] == caps["frame"][j] or (i, j) in robot.allowed:
             continue
         radii = caps["radius"][i] + caps["radius"][j]
-        judge("self_collision", robot.capsule_names[i] + "/" + robot.capsule_names[j],
+        judge("self", robot.capsule_names[i] + "/" + robot.capsule_names[j],
               np.linalg.norm(middles[i] - middles[j], axis=1) - halves[i] - halves[j] - radii,
               lambda near: segment_distance(*(x[near] for x in ends[i] + ends[j])) - radii,
               np.zeros(len(time), bool))
@@ -422,17 +427,22 @@ def check_contacts(robot, plan, motion, phases, stored, report, substeps=SUBSTEP
         into = into_target(robot, plan, group, motion, poses, time, substeps) if target else into_object(group, time)
         for i in range(len(ends)):
             a, b, radius = into(ends[i][0]), into(ends[i][1]), caps["radius"][i]
-            judge("object_collision", robot.capsule_names[i] + "/" + name,
+            judge("target" if target else "table" if name == "table" else "objects", robot.capsule_names[i] + "/" + name,
                   outside((a + b) / 2) - halves[i] - radius,
                   lambda near: exact(a[near], b[near]) - radius,
                   window & target & bool(caps["may_touch_target"][i]), depth if i in pads else of_links)
     for name, bound, exact, touching in carried_pairs(robot, plan, motion, poses, time, substeps, report):
-        judge("object_collision", text(plan.attrs["target"]) + "/" + name, bound, exact, touching, SUPPORT_NOISE)
+        judge("table" if name == "table" else "objects", text(plan.attrs["target"]) + "/" + name, bound, exact, touching, SUPPORT_NOISE)
     here = np.where(np.isinf(own[sampled]), np.nan, own[sampled])
     good = (np.abs(stored - here) <= BETWEEN) | (np.isnan(stored) & np.isnan(here))
     report.add_runs("clearance", "trajectory", ~good, np.abs(stored - here),
                     lambda k: (stored[k], here[k], k, motion["time"][k]))
-    return least, here
+    return {kind: value for kind, value in least.items() if np.isfinite(value)}, here, closest
+
+def kinds_of(plan):
+    """The clearances by kind of the certificate; none in files of earlier versions."""
+    group = plan["certificate"].get("clearance_by_kind")
+    return dict(zip(group["kind"].asstr(), group["clearance"])) if group else {}
 
 def read_motion(robot, group, report):
     """The arrays of a trajectory, or None if they cannot be judged."""
@@ -465,15 +475,15 @@ def check_certificate(plan, found, report):
 def goal_gaps(plan, asked, phases):
     """The largest share of missing goals in a phase, and the longest time without any goal."""
     time, followed = plan["goals/time"][()], asked[:, asked.any(axis=0)]
-    names = {"preshape": "reach", "hold": "grasp"}
+    names = {"preshape": "reach"}
+    grasping = is_grasping(phases, time)
 
     def phase_at(t):
-        around = [(name in ("grasp", "hold"), end - begin, name) for name, begin, end in phases if begin <= t <= end]
-        if any(grasping for grasping, _, _ in around):
-            return "grasp"
-        return names.get(min(around, key=lambda row: row[1])[2], min(around, key=lambda row: row[1])[2]) if around else ""
+        around = [(end - begin, name) for name, begin, end in phases if begin <= t <= end and name not in REFINING]
+        shortest = min(around, key=lambda row: row[0])[1] if around else ""
+        return names.get(shortest, shortest)
 
-    of_frame = np.array([phase_at(t) for t in time])
+    of_frame = np.array(["grasp" if holds else phase_at(t) for t, holds in zip(time, grasping)])
     shares = [1 - followed[of_frame == name].mean() for name in set(of_frame)] if followed.size else [0]
     seen = asked.any(axis=1)
     longest = 0
@@ -509,8 +519,8 @@ def check_status(plan, status, farthest, phases, report):
 def check_plan(robot, path, plan):
     report = Report(path)
     status, moves = text(plan.attrs["status"]), "trajectory" in plan
-    should = status in ("executable", "approximate")
-    if should != moves or should != (text(plan.attrs["reason"]) == ""):
+    should = status in ("executable", "approximate", "partial")
+    if should != moves or (status in ("executable", "approximate")) != (text(plan.attrs["reason"]) == ""):
         report.add("structure", "trajectory", moves, should)
     for name, value in plan["certificate"].attrs.items() if not moves else ():
         if name not in ("repaired", "natural_posture_error", "unchecked_links") and not np.isnan(value):
@@ -536,13 +546,19 @@ def check_plan(robot, path, plan):
     mapped = plan["mapped/humanlikeness"][()]
     found["humanlikeness_mapped"] = largest_and_mean(mapped[:, :1])[1]
     clearance = plan["trajectory/clearance"][()]
-    found["clearance"] = check_contacts(robot, plan, motion, phases, clearance, report)[0]
-    if plan["certificate"].attrs["clearance"] < found["clearance"] - BETWEEN:  # it may come nearer between the points
-        found["clearance"] = check_contacts(robot, plan, motion, phases, clearance, Report(path), FINE_SUBSTEPS)[0]
+    kinds, *_ = check_contacts(robot, plan, motion, phases, clearance, report)
+    told = kinds_of(plan)
+    if any(told.get(kind, np.inf) < least - BETWEEN for kind, least in kinds.items()):  # nearer between the points
+        kinds, *_ = check_contacts(robot, plan, motion, phases, clearance, Report(path), FINE_SUBSTEPS)
+    for kind in sorted({*kinds, *told}) if told else ():
+        if not abs((value := told.get(kind, np.nan)) - (least := kinds.get(kind, np.nan))) <= BETWEEN:
+            report.add("certificate", f"clearance_by_kind/{kind}", value, least)
+    found["clearance"] = min(kinds.values(), default=np.inf)
     human = np.ptp(motion["demonstration_time"])
     found["duration_ratio"] = motion["time"][-1] / human if human > 0 else np.nan
-    check_certificate(plan, found, report)
     poses = robot.frame_poses(motion["position"])
+    found.update(held_figures(robot, plan, motion, phases, poses))
+    check_certificate(plan, found, report)
     check_promises(robot, plan, motion, phases, report)
     check_branch(robot, plan, motion, report)
     check_grasp(robot, plan, motion, phases, poses, report)
@@ -562,7 +578,7 @@ def main():
     parser.add_argument("file")
     parser.add_argument("--json", action="store_true")
     options = parser.parse_args()
-    result = dict(executable=0, approximate=0, infeasible=0, violations=[])
+    result = dict(executable=0, approximate=0, partial=0, infeasible=0, violations=[])
     try:
         with h5py.File(options.file, "r") as file:
             robot = Robot(file["robot"])
@@ -583,7 +599,7 @@ def main():
         for row in result["violations"]:
             print("{plan}: sample {sample} ({time_s:.4f} s): {cause} {subject}: {value:.6g}, "
                   "limit {limit:.6g}".format(**row))
-        print("{executable} executable, {approximate} approximate, {infeasible} infeasible".format(**result))
+        print("{executable} executable, {approximate} approximate, {partial} partial, {infeasible} infeasible".format(**result))
     return 1 if result["violations"] else 0
 
 if __name__ == "__main__":

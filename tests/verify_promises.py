@@ -7,7 +7,9 @@ from verify_geometry import asked_points, in_base, text
 
 BORDER, POSE, STEP = 1e-9, 1e-6, 1e-6  # s; m and entries of matrices; s
 ASIDE_RAD, ASIDE_M, MET = 0.2, 0.1, 0.001
-KINDS = ("rest", "reach", "preshape", "grasp", "hold", "transport", "return")
+KINDS = ("rest", "reach", "preshape", "grasp", "hold", "transport", "return",
+         "approach", "lift", "place", "release", "retreat", "home")
+REFINING = KINDS[KINDS.index("lift"):]  # transport and return
 STAGE = dict(rest=0, reach=1, grasp=2, hold=3, transport=3) | {"return": 4}
 
 def matrix(quaternion):
@@ -35,10 +37,54 @@ def pose_at(group, time):
     out[:3, :3], out[:3, 3] = matrix(turn / np.linalg.norm(turn)), place
     return out
 
+def check_refining(phases, sure, report):
+    """Lift, place, release, retreat and home are where transport and return say, and in this order."""
+    named = lambda kind: [(begin, end) for name, begin, end in phases if name == kind]
+    carries, backs = named("transport"), named("return")
+    allowed = {}
+    if carries:
+        allowed["lift"] = carries[0]
+    if carries and backs:
+        allowed["place"] = carries[-1]
+        for kind in ("release", "retreat", "home"):
+            allowed[kind] = (carries[-1][1], backs[-1][1])
+    before = None
+    for (name, begin, end), confidence in zip(phases, sure):
+        if name not in REFINING:
+            continue
+        low, high = allowed.get(name, (np.inf, -np.inf))
+        good = begin <= end and 0 <= confidence <= 1 and begin >= low - BORDER and end <= high + BORDER
+        good &= name != "lift" or abs(begin - low) <= BORDER
+        good &= name != "place" or abs(end - high) <= BORDER
+        if before:
+            good &= KINDS.index(before[0]) < KINDS.index(name)
+            good &= name == "place" or begin >= before[1] - BORDER
+        if not good:
+            report.add("phase", name, begin, end)
+        before = (name, end)
+
+def check_delivered(plan, phases, report):
+    """How far a partial plan goes; whether the config allows it is for `morphe verify`."""
+    if text(plan.attrs["status"]) != "partial":
+        return
+    until, end_s = text(plan.attrs["delivered_until"]), plan.attrs["end_s"]
+    grasps = any(name == "grasp" for name, _, _ in phases)
+    ends = [end for name, _, end in phases if name == until][-1:] or [np.nan]
+    may_end = until not in ("rest", "reach", "preshape", "hold", "approach") if grasps else until == "reach"
+    if not (may_end and abs(ends[0] - end_s) <= BORDER):
+        report.add("status", "delivered_until", end_s, ends[0])
+    if not plan.attrs["requested_end_s"] > end_s + BORDER:
+        report.add("status", "requested_end_s", plan.attrs["requested_end_s"], end_s)
+
 def check_phases(plan, motion, phases, report):
     sure = plan["phases/confidence"][()]
     before, preshapes, grasps = None, 0, 0
     for (name, begin, end), confidence in zip(phases, sure):
+        if name in REFINING:
+            continue
+        if name == "approach":
+            report.add("phase", name, begin, np.nan)
+            continue
         if not (np.isfinite([begin, end]).all() and begin <= end and 0 <= confidence <= 1):
             report.add("phase", name, begin, end)
         if name == "preshape":
@@ -56,20 +102,23 @@ def check_phases(plan, motion, phases, report):
         if name == "grasp" and grasps > 1:
             report.add("phase", name, begin, np.nan)
         before = (name, begin, end)
+    check_refining(phases, sure, report)
     if phases:
         if not plan.attrs["begin_s"] >= phases[0][1] - BORDER:
             report.add("phase", "movement", plan.attrs["begin_s"], phases[0][1])
         if not plan.attrs["end_s"] <= (last := max(end for _, _, end in phases)) + BORDER:
             report.add("phase", "movement", plan.attrs["end_s"], last)
     time, said = motion["demonstration_time"], plan["trajectory/phase"][()]
-    least = np.full(len(time), np.inf)
-    for _, begin, end in phases:
-        inside = (time >= begin + BORDER) & (time <= end - BORDER)
-        least[inside] = np.minimum(least[inside], end - begin)
-    good = (said == 0) & np.isinf(least)
+    within = lambda begin, end: (time >= begin + BORDER) & (time <= end - BORDER)
+    refined, least = np.zeros(len(time), bool), {True: np.full(len(time), np.inf), False: np.full(len(time), np.inf)}
     for name, begin, end in phases:
-        around = (time >= begin - BORDER) & (time <= end + BORDER)
-        good |= around & (said == KINDS.index(name)) & (end - begin <= least)
+        inside, shortest = within(begin, end), least[name in REFINING]
+        refined |= inside & (name in REFINING)
+        shortest[inside] = np.minimum(shortest[inside], end - begin)
+    good = (said == 0) & np.isinf(least[False]) & ~refined
+    for name, begin, end in phases:
+        around = (time >= begin - BORDER) & (time <= end + BORDER) & (~refined | (name in REFINING))
+        good |= around & (said == KINDS.index(name)) & (end - begin <= least[name in REFINING])
     report.add_runs("phase", "trajectory", ~good, np.zeros(len(time)),
                     lambda k: (said[k], np.nan, k, motion["time"][k]))
 
@@ -210,11 +259,13 @@ def check_transfer(plan, name, report):
     stands = way[0] if name == "approach" else way[-1]
     if (np.abs(time - stands) > BORDER).any():
         report.add("approach_retreat", "demonstration_time", time.max(), stands)
-    if plan[name]["phase"][()].any():
-        report.add("approach_retreat", "phase", plan[name]["phase"][()].max(), 0)
+    said = plan[name]["phase"][()]
+    if ((said != 0) & (said != KINDS.index(name))).any():  # files of earlier versions say rest
+        report.add("approach_retreat", "phase", said.max(), 0)
 
 def check_promises(robot, plan, motion, phases, report):
     check_phases(plan, motion, phases, report)
+    check_delivered(plan, phases, report)
     check_goals(robot, plan, phases, report)
     check_scene(robot, plan, phases, report)
     check_mapped(robot, plan, report)

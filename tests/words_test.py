@@ -20,12 +20,19 @@ TABLE = re.compile(r"names_of\((\w+)\)\s*\{\s*(?://[^\n]*\n\s*)*return\s*\{(.*?)
 OTHERS = {
     ("core/collision", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "table"): "the object that scene.table makes",
+    ("stages/verify", "table"): "the object that scene.table makes",
+    ("pipeline/commands/import_question_text.cpp", "rate"): "a question of the audit",
+    ("stages/import", "unit"): "a question of the audit, or a convention",
+    ("stages/import", "axes"): "a question of the audit, or a convention",
+    ("stages/import", "rate"): "a question of the audit, or a convention",
     ("stages/check/check_collisions.cpp", "table"): "the object that scene.table makes",
     ("stages/scene/scene_options.cpp", "mesh"): "a key of the config, which has convex beside it",
     ("core/robot/files/mount_points.cpp", "base"): "the frame",
     ("core/robot/files/urdf_joints.cpp", "fixed"): "a URDF's type of joint",
     ("pipeline/commands/inspect_report.cpp", "shoulder"): "the joint",
     ("stages/reconstruct/joint_centre.cpp", "shoulder"): "the joint",
+    ("pipeline/report/film_instants.cpp", "approach"): "the name of a motion",
+    ("pipeline/report/film_instants.cpp", "retreat"): "the name of a motion",
     ("pipeline/study/obstacles.cpp", "reach"): "a kind of obstacle",
 }
 

@@ -32,14 +32,23 @@ void failing_pairs(const CollisionWorld& world, const JointMotion& motion,
                    CollisionScratch& scratch, std::vector<MotionCheck>& out,
                    double band_m = kMotionBand_m);
 
-/// The minimum distance, over a whole motion, of the pairs that may not touch.
+/// Returns the kind of a pair.
+ClearanceKind kind_of(const CollisionWorld& world, const BodyPair& pair);
+
+/// The minimum distance, over a whole motion, of pairs that may not touch.
 struct MotionClearance {
   double lower_bound_m = 0;  ///< no distance is below it
   double distance = 0;       ///< the smallest one measured [m]; +infinity without such pairs
   double parameter = 0;      ///< at which it was measured
   PairSeparation pair;       ///< with this distance
 };
-/// Computes the minimum clearance of a motion, with lower_bound_m >= distance - resolution_m.
+/// Computes the minimum clearance of a motion for each ClearanceKind, with
+/// lower_bound_m >= distance - resolution_m.
+std::array<MotionClearance, kClearanceKindCount> clearance_by_kind(
+    const CollisionWorld& world, const JointMotion& motion, CollisionScratch& scratch,
+    double resolution_m = kMotionClearanceError_m);
+
+/// Returns the least of clearance_by_kind(): the minimum over all pairs.
 MotionClearance motion_clearance(const CollisionWorld& world, const JointMotion& motion,
                                  CollisionScratch& scratch,
                                  double resolution_m = kMotionClearanceError_m);

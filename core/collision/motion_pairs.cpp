@@ -174,6 +174,7 @@ void MotionPairs::for_each_part(const std::function<bool(double, double)>& part)
     const bool inside = begin_s < border_s && border_s < end_s;
     border_s = inside ? parameter_at_time(border_s) : motion.end;  // for NaN too
   }
+  borders.push_back(motion.end);
   std::ranges::sort(borders);
   double from = motion.begin;
   for (const double border : borders) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/assumption.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/movement.hpp"
 #include "core/motion/recording_flag.hpp"
@@ -93,6 +94,7 @@ struct Demonstration {
   std::vector<RecordingFlag> flags;          ///< doubts about the recording, mended or not
   std::vector<AcceptedFlag> accepted_flags;  ///< doubts that the user has answered in a manifest
   std::vector<std::string> import_notes;     ///< on values that were assumed, repaired or omitted
+  std::vector<Assumption> assumptions;       ///< on what the file does not state and nobody gave
 };
 
 }  // namespace morphe

@@ -31,7 +31,7 @@ std::size_t index_of(PhaseKind kind) { return static_cast<std::size_t>(kind); }
 /// Returns the phase to whose share a frame counts: a preshape is reach, a hold grasp.
 PhaseKind counted_phase(const Movement& movement, double time_s) {
   if (is_grasping_at(movement, time_s)) return PhaseKind::grasp;
-  const PhaseKind kind = phase_at(movement.phases, time_s);
+  const PhaseKind kind = main_phase_at(movement.phases, time_s);
   return kind == PhaseKind::preshape ? PhaseKind::reach : kind;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/motion/arm_branch.hpp"
+#include "core/motion/assumption.hpp"
+#include "core/motion/clearance_kind.hpp"
 #include "core/motion/enum_names.hpp"
 #include "core/motion/finding.hpp"
 #include "core/motion/geometry.hpp"
@@ -178,12 +180,19 @@ struct Certificate {
   /// Correlation of the wrist's speeds, the robot's and the person's
   /// (stages/certify/wrist_speed.hpp).
   double wrist_speed_correlation = kUnknown;
+  /// Largest displacement [m] and rotation [rad] of a finger's pad in the palm's frame while the
+  /// hand carries the target with contacts, since the grasp (stages/grasp/held_drift.hpp); NaN if
+  /// it carries nothing or the contacts are unknown.
+  double held_drift = kUnknown, held_turn = kUnknown;
   double duration_ratio = kUnknown;  ///< duration / human duration
   double humanlikeness_mapped = kUnknown, humanlikeness_final = kUnknown;  ///< mean A [m^2]
   /// Smoothness of the mean speed of the tips with goals (stages/certify/smoothness.hpp).
   double sparc_robot = kUnknown, sparc_human = kUnknown;
   double log_dimensionless_jerk_robot = kUnknown, log_dimensionless_jerk_human = kUnknown;
   std::vector<std::string> unchecked_links;  ///< links not checked for collisions
+  /// One for each kind that has a pair to check, in the order of the kinds; the least of them is
+  /// `clearance`. Empty in files of earlier versions.
+  std::vector<KindClearance> clearance_by_kind;
 };
 
 /// The tolerances that the plan must meet; `verify` reads them from the file.
@@ -203,23 +212,35 @@ struct Tolerances {
 
 /// `executable`: the trajectory can be executed and reaches its goals. `approximate`: it only comes
 /// as close to them as possible. `infeasible`: there is no trajectory; the plan has a reason.
-enum class Status : std::uint8_t { executable, approximate, infeasible };
+/// `partial`: the trajectory is that of an executable plan of the movement's first part; the plan
+/// has the reason why the rest is missing.
+enum class Status : std::uint8_t { executable, approximate, infeasible, partial };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 3> names_of(Status) {
-  return {"executable", "approximate", "infeasible"};
+constexpr std::array<std::string_view, 4> names_of(Status) {
+  return {"executable", "approximate", "infeasible", "partial"};
 }
+
+/// The part of a movement that a partial plan delivers: up to the end of a phase, instead of the
+/// requested end [demonstration time, s].
+struct DeliveredPart {
+  PhaseKind until = PhaseKind::grasp;
+  double requested_end_s = kUnknown;
+};
 
 /// A movement of a demonstration and all results of planning it.
 struct Plan {
   std::string demonstration, subject, task;
   Side hand = Side::right;
   Movement movement;
-  Reason reason = Reason::unplanned;  ///< why there is no trajectory; Reason::none if there is one
+  /// Why there is no trajectory, or none of the later part; Reason::none if nothing is missing.
+  Reason reason = Reason::unplanned;
+  std::optional<DeliveredPart> delivered;  ///< present if the plan is partial
   /// True if the trajectory follows the person's movement, but too many goals are out of reach, or
   /// tips too far from their goals, to count as the same task (Tolerances).
   bool approximate = false;
   std::string detail;                ///< explanation of the reason, a sentence
   std::vector<RecordingFlag> flags;  ///< of the recording, as far as they concern the movement
+  std::vector<Assumption> recording_assumptions;  ///< those of the Demonstration
   Tolerances tolerances;
   Goals goals;
   Scene scene;  ///< in the robot's base frame
@@ -237,14 +258,16 @@ struct Plan {
   Trajectory retreat;     ///< from the last sample back home, empty unless requested
   Certificate certificate;
 
-  /// Returns the status that follows from `reason` and `approximate`.
+  /// Returns the status that follows from `delivered`, `reason` and `approximate`.
   Status status() const {
+    if (delivered) return Status::partial;
     if (reason != Reason::none) return Status::infeasible;
     return approximate ? Status::approximate : Status::executable;
   }
-  /// Returns true if the trajectory reaches its goals within the tolerances.
+  /// Returns true if the trajectory covers the movement and reaches its goals within the
+  /// tolerances.
   bool executable() const { return status() == Status::executable; }
-  /// Returns true if there is a trajectory, executable or approximate.
+  /// Returns true if there is a trajectory: executable, approximate or partial.
   bool has_trajectory() const { return status() != Status::infeasible; }
 };
 
@@ -259,6 +282,8 @@ struct PlanFileHeader {
     std::string path, text;  ///< path relative to the config, as written there
   };
   std::vector<Input> inputs;
+  /// That hold for all plans: of the robot and the config, and what no step looks at.
+  std::vector<Assumption> assumptions;
 };
 
 }  // namespace morphe

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/motion/plan.hpp"
@@ -19,6 +20,9 @@ struct PlanRequest {
   double limit_scaling = 1;   ///< factor on the limits of velocity, acceleration and jerk
   /// The last phase that is planned; absent if parts of movements or whole recordings are planned.
   std::optional<PhaseKind> plan_until;
+  /// The same for tasks that contain a word; the first word that a task contains counts.
+  std::vector<std::pair<std::string, PhaseKind>> plan_until_by_task;
+  PartialPlans partial = PartialPlans::at_rest;  ///< parts of movements that may be delivered
   std::vector<FlagCode> refused_flags;  ///< with which no movement is planned, unless accepted
   std::string carrier_frame;  ///< frame to which the target is attached, "" if it moves as recorded
 
@@ -38,6 +42,10 @@ struct PlanRequest {
     ReferenceFrame relative_to = ReferenceFrame::unknown;
   };
   std::vector<Body> bodies;
+
+  /// The assumptions of robot and config, without settings given by hand.
+  std::vector<Assumption> assumptions;
+  std::vector<Knowable> must_be_known;  ///< what may be neither assumed nor inferred
 };
 
 }  // namespace morphe

@@ -32,16 +32,17 @@ enum class Reason : std::uint8_t {
   no_retreat,
   no_reference_frame,  ///< the reference frame of an object of the scene is missing
   released_in_air,     ///< the hand lets go of the target far above everything
+  not_known,           ///< something is assumed that the config requires to be known
   rejected,            ///< verify rejects the trajectory, which is a fault of Morphe
 };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 23> names_of(Reason) {
+constexpr std::array<std::string_view, 24> names_of(Reason) {
   // clang-format off
   return {"", "unplanned", "no_movement", "no_shoulder", "no_goal", "implausible_arm", "doubtful_recording",
           "start_in_collision", "goal_in_collision", "unreachable", "no_path",
           "smoothing_collision", "joint_limit", "jump", "tracking", "invalid_path",
           "duration_too_short", "not_held", "no_approach", "no_retreat", "no_reference_frame",
-          "released_in_air", "rejected"};
+          "released_in_air", "not_known", "rejected"};
   // clang-format on
 }
 

@@ -31,13 +31,17 @@ enum class FlagCode : std::uint8_t {
   missing_goals,        ///< too many of the goals in the grasp were not recorded
   incomplete_movement,  ///< the movement begins or ends in motion at the edge of the recording
   no_grasp,             ///< the task takes an object, but no grasp was found
+  unlikely_target,      ///< the target that is inferred would have a size that no hand grasps
+  target_offset,        ///< the fingers close beside the target as it was recorded
+  object_away,          ///< a recorded object is nowhere near the hand
 };
 /// Returns the names of the values, in their order.
-constexpr std::array<std::string_view, 17> names_of(FlagCode) {
+constexpr std::array<std::string_view, 20> names_of(FlagCode) {
   // clang-format off
   return {"exchanged_markers", "exchanged_digits", "mirrored", "spike", "step", "frozen_rows",
           "repeated_rows", "lost_rows", "time_base", "vertical", "scale", "static_trial", "jitter",
-          "target_away", "missing_goals", "incomplete_movement", "no_grasp"};
+          "target_away", "missing_goals", "incomplete_movement", "no_grasp",
+          "unlikely_target", "target_offset", "object_away"};
   // clang-format on
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,14 @@ constexpr std::array<std::string_view, 5> names_of(Shape) {
   return {"sphere", "box", "cylinder", "capsule", "mesh"};
 }
 
+/// The origin of an object's pose or shape: the config, the recording, or inference from the hand's
+/// motion; `unknown` in files of earlier versions.
+enum class ObjectOrigin : std::uint8_t { unknown, configured, recorded, inferred };
+/// Returns the names of the values, in their order.
+constexpr std::array<std::string_view, 4> names_of(ObjectOrigin) {
+  return {"unknown", "configured", "recorded", "inferred"};
+}
+
 /// An object of the scene. Poses are those of its centre; cylinders and capsules are aligned with
 /// z. size: sphere {r}; box {full x, y, z}; cylinder and capsule {r, length along z} (for a
 /// capsule, the length of the cylindrical part); mesh {} with vertices and triangles.
@@ -33,7 +42,12 @@ struct SceneObject {
   std::string attached_frame;   ///< robot frame to which it is attached, "" if it is not
   double attach_s = kUnknown;   ///< begin of the attachment [demonstration time, s]
   double release_s = kUnknown;  ///< end of the attachment [demonstration time, s]
+  /// Set when a scene is built. The pose of a table is the height of its top.
+  ObjectOrigin pose_origin = ObjectOrigin::unknown, shape_origin = ObjectOrigin::unknown;
 };
+
+/// The name of the object that is the table.
+inline constexpr std::string_view kTableName = "table";
 
 /// Largest distance between the tips and the object that they took [m].
 inline constexpr double kMaxTipObjectDistance_m = 0.15;

@@ -56,4 +56,17 @@ TaskKind kind_of_task(std::string_view task) {
   return takes ? TaskKind::takes_object : kind;
 }
 
+bool contains_word(std::string_view task, std::string_view word) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  const auto is_letter = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t i = 0; !word.empty() && i + word.size() <= task.size(); ++i) {
+    const std::size_t end = i + word.size();
+    const bool bounded =
+        (i == 0 || !is_letter(task[i - 1])) && (end == task.size() || !is_letter(task[end]));
+    if (bounded && std::ranges::equal(task.substr(i, word.size()), word, {}, lower, lower))
+      return true;
+  }
+  return false;
+}
+
 }  // namespace morphe

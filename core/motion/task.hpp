@@ -21,4 +21,8 @@ constexpr std::array<std::string_view, 3> names_of(TaskKind) {
 /// words ("drinking", "lifted") are recognised by their stem.
 MORPHE_EXPORT TaskKind kind_of_task(std::string_view task);
 
+/// Returns true if a task contains a word, regardless of capitals: "drink" is in "Drink, slowly",
+/// but not in "drinking".
+MORPHE_EXPORT bool contains_word(std::string_view task, std::string_view word);
+
 }  // namespace morphe

@@ -1,5 +1,6 @@
 #include "core/store/bytes.hpp"
 
+#include "core/store/assumption_layout.hpp"
 #include "core/store/bytes_layout.hpp"
 #include "core/store/demonstration_layout.hpp"
 #include "core/store/plan_layout.hpp"
@@ -26,6 +27,7 @@ void lay_out_header(Io& io, T& header) {
   io.attribute("built_with", header.built_with);
   io.column("path", header.inputs, &Input::path, {});
   io.column("text", header.inputs, &Input::text, {});
+  lay_out_assumptions(io, header.assumptions);
 }
 
 template <class Layout>

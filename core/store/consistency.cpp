@@ -284,7 +284,7 @@ std::string inconsistency(const Plan& plan, const RobotModel& robot) {
   check.text("@task", plan.task);
   check.text("@target", plan.movement.target);
   check.require(plan.has_trajectory() == (plan.trajectory.samples() > 0), "trajectory",
-                plan.has_trajectory() ? "has no samples, but the plan is executable"
+                plan.has_trajectory() ? "has no samples, but the plan is not infeasible"
                                       : "exists, but the plan is infeasible");
   check.add(check_arrays(plan.goals, robot.tips.size()));
   check.add(check_names(plan.scene.objects, "scene/"));

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "core/motion/demonstration.hpp"
+#include "core/store/assumption_layout.hpp"
 #include "core/store/flag_layout.hpp"
 #include "core/store/layout.hpp"
 #include "core/store/scene_layout.hpp"
@@ -100,6 +101,7 @@ void lay_out_demonstration(Io& io, T& demo) {
   io.group_if(!demo.accepted_flags.empty(), "accepted_flags",
               [&](Io& in) { in.column("code", demo.accepted_flags, &AcceptedFlag::code, {}); });
   io.optional_names("import_notes", demo.import_notes);
+  lay_out_assumptions(io, demo.assumptions);
 }
 
 }  // namespace morphe::store

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/store/assumption_layout.hpp"
+
 namespace morphe::store {
 namespace {
 
@@ -61,6 +63,9 @@ void write_plan_header(const Hdf5Group& root, const PlanFileHeader& header,
   root.set("built_with", header.built_with);
   root.set("robot", robot_name);
   write_inputs(root.create("inputs"), header.inputs);
+  if (header.assumptions.empty()) return;
+  LayoutWriter io(root.create(kAssumptionsGroup));
+  lay_out_assumption_rows(io, header.assumptions);
 }
 
 PlanFileHeader read_plan_header(const Hdf5Group& root) {
@@ -72,6 +77,10 @@ PlanFileHeader read_plan_header(const Hdf5Group& root) {
   if (root.has_attribute("built_with")) root.get("built_with", header.built_with);
   int visits_left = kMaxInputCount;
   read_inputs(root.open("inputs"), "", 0, visits_left, header.inputs);
+  if (root.has(kAssumptionsGroup)) {
+    LayoutReader io(root.open(kAssumptionsGroup));
+    lay_out_assumption_rows(io, header.assumptions);
+  }
   return header;
 }
 

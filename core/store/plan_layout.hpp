@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/motion/plan.hpp"
+#include "core/store/assumption_layout.hpp"
 #include "core/store/flag_layout.hpp"
 #include "core/store/layout.hpp"
 #include "core/store/scene_layout.hpp"
@@ -163,6 +164,18 @@ void lay_out_posture_errors(Io& io, T& certificate) {
   io.optional_attribute("palm_error_mean", certificate.palm_error_mean);
   io.optional_attribute("palm_error_max", certificate.palm_error_max);
   io.optional_attribute("wrist_speed_correlation", certificate.wrist_speed_correlation);
+  io.optional_attribute("held_drift", certificate.held_drift);
+  io.optional_attribute("held_turn", certificate.held_turn);
+}
+
+/// Lays out the clearances of a certificate by kind.
+template <class Io, class T>
+void lay_out_clearance_by_kind(Io& io, T& clearances) {
+  io.column("kind", clearances, &KindClearance::kind, {});
+  io.column("clearance", clearances, &KindClearance::clearance, {"m", "", ""});
+  io.column("first", clearances, &KindClearance::first, {});
+  io.column("second", clearances, &KindClearance::second, {});
+  io.column("time", clearances, &KindClearance::time_s, {"s", "", ""});
 }
 
 /// Lays out the certificate, with `repaired` and natural_posture_error, which a plan holds
@@ -192,18 +205,28 @@ void lay_out_certificate(Io& io, T& plan) {
   io.attribute("log_dimensionless_jerk_human", certificate.log_dimensionless_jerk_human);
   io.attribute("repaired", plan.repaired);
   io.optional_names("unchecked_links", certificate.unchecked_links);
+  io.group_if(!certificate.clearance_by_kind.empty(), "clearance_by_kind",
+              [&](Io& in) { lay_out_clearance_by_kind(in, certificate.clearance_by_kind); });
 }
 
-/// Lays out the reason and the status. It is "executable" or "approximate" exactly if there is no
-/// reason; reading rejects files in which the two contradict each other.
+/// Lays out the reason, the status and the part that a partial plan delivers. The status is
+/// "executable" or "approximate" exactly if there is no reason; reading rejects files in which the
+/// two contradict each other.
 template <class Io, class T>
 void lay_out_status(Io& io, T& plan) {
   io.attribute("reason", plan.reason);
   io.attribute("detail", plan.detail);
   Status status = plan.status();
   io.attribute("status", status);
-  if constexpr (Io::reading) plan.approximate = status == Status::approximate;
-  if (status != plan.status())
+  if constexpr (Io::reading) {
+    plan.approximate = status == Status::approximate;
+    if (status == Status::partial) plan.delivered.emplace();
+  }
+  if (plan.delivered) {
+    io.attribute("delivered_until", plan.delivered->until);
+    io.attribute("requested_end_s", plan.delivered->requested_end_s);
+  }
+  if (status != plan.status() || (plan.delivered && plan.reason == Reason::none))
     io.current_group().fail(fmt::format("@status is '{}' with the @reason '{}'", name_of(status),
                                         name_of(plan.reason)));
 }
@@ -232,6 +255,7 @@ void lay_out_plan(Io& io, T& plan) {
   io.optional_attribute("max_missing_goal_share", plan.tolerances.max_missing_goal_share);
   io.optional_attribute("max_goal_gap_s", plan.tolerances.max_goal_gap_s);
   lay_out_flags(io, plan.flags);
+  lay_out_assumptions(io, plan.recording_assumptions);
   io.group("goals", [&](Io& in) { lay_out_goals(in, plan.goals); });
   io.group("phases", [&](Io& in) {
     in.column("name", plan.movement.phases, &Phase::kind, {});

@@ -6,9 +6,11 @@
 #include <optional>
 
 #include "core/files/sha256.hpp"
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/demonstration_file.hpp"
 #include "core/store/plan_file.hpp"
+#include "pipeline/commands/certificate_json.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/posture_json.hpp"
@@ -63,13 +65,14 @@ void open_recordings(const ExplainArguments& arguments, PlanSource& source) {
   source.recordings = std::make_unique<store::DemonstrationReader>(dataset);
 }
 
-/// Returns the selected plans: the named one, those of a demonstration, or all infeasible ones.
+/// Returns the selected plans: the named one, those of a demonstration, or all infeasible and
+/// partial ones.
 std::vector<int> selected_plans(const ExplainArguments& arguments, const PlanSource& source) {
   std::vector<int> selected;
   const std::vector<std::string>& paths = source.reader.plan_paths();
   for (int k = 0; k < std::ssize(paths); ++k) {
     const bool named = paths[k] == arguments.plan || paths[k].starts_with(arguments.plan + "/");
-    if (arguments.plan.empty() ? !source.reader.read(k).has_trajectory() : named)
+    if (arguments.plan.empty() ? source.reader.read(k).reason != Reason::none : named)
       selected.push_back(k);
   }
   return selected;
@@ -92,6 +95,7 @@ std::string planning_time_text(const PlanSource& source, const Plan& plan) {
 std::string outcome_of(const Plan& plan) {
   if (!plan.has_trajectory())
     return fmt::format("infeasible, {}: {}", name_of(plan.reason), plan.detail);
+  if (plan.delivered) return fmt::format("partial, {}: {}", name_of(plan.reason), plan.detail);
   return fmt::format("{}: tip error at most {:.1f} mm", name_of(plan.status()),
                      1e3 * plan.certificate.tip_error_max);
 }
@@ -104,6 +108,8 @@ Json json_of(const PlanSource& source, const Plan& plan, const std::string& path
             {"detail", plan.detail},
             {"step_summary", explain::step_summary(source.reader.robot(), plan)},
             {"posture", posture_json(explain::posture_summary(source.robot, plan))},
+            {"clearances", clearances_json(plan.certificate.clearance_by_kind)},
+            {"assumptions", assumptions_json(all_assumptions(source.reader.header(), plan))},
             {"advice", Json::array()}};
   for (const explain::TriedAdvice& tried : advice) {
     Json entry{{"kind", name_of(tried.advice.kind)},
@@ -122,6 +128,8 @@ std::string text_of(const PlanSource& source, const Plan& plan,
                     const std::vector<explain::TriedAdvice>& advice) {
   std::string text = explain::step_summary(source.reader.robot(), plan) +
                      explain::posture_text(plan, explain::posture_summary(source.robot, plan)) +
+                     certified_line(plan) +
+                     assumption_lines(all_assumptions(source.reader.header(), plan)) +
                      planning_time_text(source, plan);
   if (source.config) {
     const std::string words =

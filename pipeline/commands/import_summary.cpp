@@ -18,6 +18,7 @@
 #include "pipeline/commands/import_question_text.hpp"
 #include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/read_recording.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 
 namespace morphe::commands {
 namespace {

@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "core/motion/count_with_noun.hpp"
 #include "core/store/plan_file.hpp"
 #include "pipeline/commands/branch_text.hpp"
+#include "pipeline/commands/certificate_box.hpp"
+#include "pipeline/commands/certificate_json.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
@@ -16,14 +19,33 @@
 namespace morphe::commands {
 namespace {
 
+std::string list_json(const PlanFileHeader& header, const std::vector<PlanRow>& rows) {
+  nlohmann::ordered_json json{{"assumptions", assumptions_json(header.assumptions)},
+                              {"plans", nlohmann::ordered_json::array()}};
+  for (const PlanRow& row : rows) {
+    nlohmann::ordered_json figures;
+    for (int k = 0; k < kPlanFigureCount; ++k) figures[plan_figures()[k].key] = row.figures[k];
+    json["plans"].push_back({{"plan", row.name},
+                             {"status", row.status},
+                             {"reason", row.reason},
+                             {"figures", figures},
+                             {"clearances", clearances_json(row.clearances)},
+                             {"assumptions", assumptions_json(row.assumptions)},
+                             {"notes", row.lines}});
+  }
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 CommandAction add_list_arguments(CLI::App& app) {
   struct Arguments {
     std::string file;
     RowSelection choice;
+    bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   add_row_options(app, arguments->choice);
+  app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     check_selection(arguments->choice);
     const store::PlanReader plans(find_plans_file(arguments->file));
@@ -37,14 +59,21 @@ CommandAction add_list_arguments(CLI::App& app) {
       if (is_selected(arguments->choice, row)) rows.push_back(std::move(row));
     }
     sort_rows(arguments->choice, rows);
+    if (arguments->json) {
+      fmt::print("{}\n", list_json(plans.header(), rows));
+      return 0;
+    }
     note_other_branches(all_branches, rows);
+    CertificateBox box;
+    for (const PlanRow& row : rows) box.add(row);
     const std::size_t width = terminal_width();
     std::map<std::string, int> branches;
     for (const PlanRow& row : rows)
       if (row.branch.number) ++branches[branch_phrase(row.branch)];
-    fmt::print("{}{}{}{} of {}\n", plan_table(rows, width),
+    fmt::print("{}{}{}{}{} of {}\n", plan_table(rows, width),
                reference_frames_text(plans.robot().name, rows, width),
-               branches_text(plans.robot().name, branches, rows, width), rows.size(),
+               branches_text(plans.robot().name, branches, rows, width),
+               box.text(plans.header().assumptions, width), rows.size(),
                count_with_noun(plans.size(), "plan"));
     return 0;
   };

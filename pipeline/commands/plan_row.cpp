@@ -8,9 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/motion/arm_estimate.hpp"
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/finding_text.hpp"
 #include "core/motion/flag_text.hpp"
 #include "core/motion/input_error.hpp"
+#include "pipeline/commands/certificate_json.hpp"
 #include "pipeline/commands/scene_remarks.hpp"
 #include "pipeline/commands/text_table.hpp"
 #include "pipeline/explain/advice.hpp"
@@ -49,7 +51,7 @@ std::string reach_line(const Plan& plan) {
 std::vector<std::string> lines_of(const robot::Robot& robot, const Plan& plan,
                                   const explain::AdviceContext& context) {
   std::vector<std::string> lines;
-  if (!plan.has_trajectory()) {
+  if (plan.reason != Reason::none) {
     const bool has_reason = plan.detail.starts_with(fmt::format("{}:", name_of(plan.reason)));
     lines.push_back(has_reason ? plan.detail
                                : fmt::format("{}: {}", name_of(plan.reason), plan.detail));
@@ -127,6 +129,8 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan, const explain::Advic
   row.branch = plan.branch.number ? plan.branch : planning::branch_of(robot, plan);
   row.world = plan.reference_frames;
   row.remarks = scene_remarks(plan);
+  row.assumptions = plan_assumptions(plan);
+  row.clearances = plan.certificate.clearance_by_kind;
   return row;
 }
 
@@ -143,7 +147,9 @@ std::string row_to_json(const PlanRow& row) {
               {"target", matrix_json(world.base_from_target)},
               {"shoulder", {world.shoulder.x(), world.shoulder.y(), world.shoulder.z()}},
               {"remarks", row.remarks},
-              {"branch", branch_json(row.branch)}}
+              {"branch", branch_json(row.branch)},
+              {"assumptions", assumptions_json(row.assumptions)},
+              {"clearances", clearances_json(row.clearances)}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -164,6 +170,8 @@ PlanRow row_from_json(const std::string& text) {
     for (int k = 0; k < 3; ++k) row.world.shoulder[k] = number_of(row_json.at("shoulder").at(k));
     row_json.at("remarks").get_to(row.remarks);
     if (row_json.contains("branch")) row.branch = branch_of_json(row_json.at("branch"));
+    row.assumptions = assumptions_of_json(row_json.at("assumptions"));
+    row.clearances = clearances_of_json(row_json.at("clearances"));
   } catch (const nlohmann::json::exception&) {
     throw InputError("a row of the journal's table is damaged; plan again with --fresh");
   }

@@ -14,14 +14,17 @@ namespace morphe::commands {
 /// The data of a plan shown in tables.
 struct PlanRow {
   std::string name;    ///< "<demonstration>/<000>"
-  std::string status;  ///< executable, repaired (and executable), approximate or infeasible
-  std::string reason;  ///< code, "" unless infeasible
+  std::string status;  ///< executable, repaired (and executable), approximate, partial, infeasible
+  std::string reason;  ///< code, "" unless infeasible or partial
   FigureValues figures{};
-  bool arm_estimated = false;      ///< true if shoulder or elbow were not recorded
-  std::vector<std::string> lines;  ///< reason for an infeasible plan, advice, notes, findings
+  bool arm_estimated = false;  ///< true if shoulder or elbow were not recorded
+  std::vector<std::string>
+      lines;  ///< reason for an infeasible or partial plan, advice, notes, findings
   ArmBranch branch;
   WorldFrames world;
   std::map<std::string, std::string> remarks;  ///< scene_remarks()
+  std::vector<Assumption> assumptions;         ///< plan_assumptions()
+  std::vector<KindClearance> clearances;       ///< of the certificate
 
   /// Returns true for executable plans, including repaired ones.
   bool executable() const { return status == name_of(Status::executable) || status == "repaired"; }

@@ -12,6 +12,7 @@
 #include "core/motion/version.hpp"
 #include "pipeline/commands/assumptions.hpp"
 #include "pipeline/commands/branch_text.hpp"
+#include "pipeline/commands/certificate_box.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/reference_frames_table.hpp"
@@ -95,6 +96,12 @@ std::string base_words(const robot::Robot& robot, const map::PlacementOptions& p
   return words.empty() ? "" : ": the base " + words;
 }
 
+CertificateBox certificate_box(const RobotRun& one) {
+  CertificateBox box;
+  one.folder->journal().each_row([&](const std::string& text) { box.add(row_from_json(text)); });
+  return box;
+}
+
 /// Prints the summary and, unless --quiet is given, the plans (of more than kMaxPrintedRows only
 /// filtered or sorted ones), the positions of the reference frames, and remarks.
 void print_table(const RunArguments& arguments, const RobotRun& one) {
@@ -127,6 +134,7 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
   if (const std::string unchecked = unchecked_sentence(robot.unchecked_links); !unchecked.empty())
     fmt::print("{}: {}\n", robot.name, unchecked);
   fmt::print("{}", branches_text(robot.name, one.summary.branches, named, terminal_width()));
+  fmt::print("{}", certificate_box(one).text(one.config.loaded.assumptions, terminal_width()));
   if (const std::string speed = run::speed_text(one.summary); !speed.empty())
     fmt::print("{}\n", speed);
   fmt::print("{}: {}\n", one.plans().string(), run::summary_sentence(one.summary));
@@ -242,8 +250,9 @@ int execute(const RunArguments& arguments) {
     return one.summary.reasons.contains(std::string(name_of(Reason::rejected)));
   });
   if (any(&run::BatchSummary::failed) || any_rejected) return 1;
-  const bool all_executable =
-      !any(&run::BatchSummary::infeasible) && !any(&run::BatchSummary::approximate);
+  const bool all_executable = !any(&run::BatchSummary::infeasible) &&
+                              !any(&run::BatchSummary::approximate) &&
+                              !any(&run::BatchSummary::partial);
   return arguments.strict && !all_executable ? 1 : 0;
 }
 

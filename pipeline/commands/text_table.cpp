@@ -22,18 +22,6 @@ std::string replace_controls(std::string text) {
   return text;
 }
 
-/// Shortens a text wider than `max_width` to its first and last code points with … between them.
-std::string shorten(const std::string& text, std::size_t max_width) {
-  if (display_width(text) <= max_width) return text;
-  const std::size_t last = (max_width - 1) / 2;
-  std::size_t front = 0, back = text.size();
-  for (std::size_t count = 0; count < max_width - 1 - last; ++count)
-    for (++front; front < text.size() && is_utf8_continuation(text[front]);) ++front;
-  for (std::size_t count = 0; count < last; ++count)
-    for (--back; back > 0 && is_utf8_continuation(text[back]);) --back;
-  return text.substr(0, front) + "…" + text.substr(back);
-}
-
 std::string cell(const std::string& text, std::size_t width, bool left) {
   const std::string blank(width - std::min(width, display_width(text)), ' ');
   return left ? text + blank : blank + text;
@@ -101,6 +89,17 @@ std::string line_of(const TextTable& table, const ColumnLayout& layout, const Te
 }
 
 }  // namespace
+
+std::string shorten(const std::string& text, std::size_t max_width) {
+  if (display_width(text) <= max_width) return text;
+  const std::size_t last = (max_width - 1) / 2;
+  std::size_t front = 0, back = text.size();
+  for (std::size_t count = 0; count < max_width - 1 - last; ++count)
+    for (++front; front < text.size() && is_utf8_continuation(text[front]);) ++front;
+  for (std::size_t count = 0; count < last; ++count)
+    for (--back; back > 0 && is_utf8_continuation(text[back]);) --back;
+  return text.substr(0, front) + "…" + text.substr(back);
+}
 
 std::string wrap_line(const std::string& text, std::size_t width, const std::string& indent) {
   const std::string further = indent + "    ";

@@ -26,6 +26,9 @@ struct TextTable {
 /// dropping columns (the last line names them), shortening texts in the first, and wrapping lines.
 std::string table_text(const TextTable& table, std::size_t width);
 
+/// Shortens a text wider than `max_width` to its first and last code points with … between them.
+std::string shorten(const std::string& text, std::size_t max_width);
+
 /// Returns a text as a line that begins with `indent`, wrapped at blanks if it is longer than
 /// `width` (0: never wrapped). Further lines are indented by four more blanks.
 std::string wrap_line(const std::string& text, std::size_t width, const std::string& indent);

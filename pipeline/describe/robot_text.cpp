@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/human_motion.hpp"
 #include "core/robot/opening.hpp"
 #include "core/robot/standing.hpp"
@@ -125,7 +126,9 @@ std::string robot_text(const robot::RobotDescription& description) {
   text += standing_line(robot);
   text += joint_lines(robot, width) + frame_lines(robot, width) + tip_lines(robot, width);
   const std::vector<std::string> notes = plausibility_notes(description);
-  if (!notes.empty() || !description.checks.empty()) text += "\n";
+  if (!notes.empty() || !description.checks.empty() || !description.assumed.empty()) text += "\n";
+  for (const Assumption& each : description.assumed)
+    text += fmt::format("assumed: {}\n", phrase(each));
   for (const std::string& note : notes) text += fmt::format("note: {}\n", note);
   for (const std::string& check : description.checks) text += fmt::format("check: {}\n", check);
   return text;
@@ -162,6 +165,9 @@ std::string robot_json(const robot::RobotDescription& description) {
   }
   for (const RobotModel::JointCentre& centre : robot.joint_centres)
     centres.push_back({{"frame", frame_name(robot, centre.frame)}, {"chain", centre.chain}});
+  Json assumed = Json::array();
+  for (const Assumption& each : description.assumed)
+    assumed.push_back({{"subject", each.subject}, {"value", each.value}});
   const Json json = {{"robot", robot.name},
                      {"shoulder", frame_name(robot, robot.shoulder_frame)},
                      {"palm", frame_name(robot, robot.palm_frame)},
@@ -174,6 +180,7 @@ std::string robot_json(const robot::RobotDescription& description) {
                      {"opening_m", robot::widest_opening(robot)},
                      {"capsules", robot.capsules.size()},
                      {"notes", plausibility_notes(description)},
+                     {"assumed", assumed},
                      {"checks", description.checks}};
   return json.dump(2);
 }

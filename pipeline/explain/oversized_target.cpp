@@ -8,7 +8,11 @@ namespace {
 
 const SceneObject* inferred_target(const Plan& plan, const scene::SceneOptions& options) {
   const SceneObject* target = find_object(plan.scene.objects, plan.movement.target);
-  const bool inferred = target && options.target.infer && target->name == options.target.name;
+  if (!target) return nullptr;
+  // Files of earlier versions do not say it.
+  const bool inferred = target->shape_origin == ObjectOrigin::unknown
+                            ? options.target.infer && target->name == options.target.name
+                            : target->shape_origin == ObjectOrigin::inferred;
   if (!inferred || target->shape != Shape::cylinder || target->time.size() != 1) return nullptr;
   return target;
 }

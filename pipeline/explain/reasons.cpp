@@ -86,7 +86,7 @@ constexpr std::array<ReasonExplanation, enum_count<Reason>()> kExplanations{{
      {relax({"retime.mode=fastest", "retime.duration_s=null"},
             "the shortest duration that the limits allow")}},
     {Reason::not_held,
-     "The target is carried without two contacts that are opposed.",
+     "The target is carried without two opposed contacts that keep still in the hand.",
      kOnInput,
      {change("end the plan with the grasp (`segment.plan_until: grasp`), or enlarge "
              "`grasp.touch_distance` if the person held the target with more fingers"),
@@ -105,6 +105,16 @@ constexpr std::array<ReasonExplanation, enum_count<Reason>()> kExplanations{{
      kOnInput,
      {change("end the plan before (segment.plan_until), or add what the target is put down on to "
              "scene.objects")}},
+    {Reason::not_known,
+     "The plan would rest on something that is assumed, although the config requires it to be "
+     "known "
+     "(must_be_known).",
+     kOnInput,
+     {change(
+          "give what is missing: record the object, or state it in the config (scene.table.height, "
+          "scene.target.pose with scene.target.body), or the recording's property at import or in "
+          "its manifest"),
+      relax({"must_be_known=[]"}, "everything may be assumed")}},
     {Reason::rejected,
      "The independent verification rejects the trajectory: a fault of Morphe.",
      kOnInput,

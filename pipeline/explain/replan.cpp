@@ -32,8 +32,10 @@ Plan replan(const planning::RunConfig& config, const Demonstration& demonstratio
       planning::reconstruct_demonstration(planner, demonstration);
   const bool has_movement = plan.reason != Reason::no_movement;
   if (!has_movement && reconstruction.movements.empty()) return plan;
+  Movement movement = has_movement ? plan.movement : reconstruction.movements.front();
+  if (plan.delivered) movement.end_s = plan.delivered->requested_end_s;
   return planning::plan_movement(planner, reconstruction.on_robot_side, reconstruction.motion,
-                                 has_movement ? plan.movement : reconstruction.movements.front());
+                                 movement);
 }
 
 }  // namespace morphe::explain

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/motion/arm_estimate.hpp"
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/finding_text.hpp"
 #include "core/motion/flag_text.hpp"
@@ -164,7 +165,9 @@ std::string certificate(const Certificate& c) {
   add("clearance", kMillimetresPerMetre * c.clearance, 2, " mm");
   add("tip error at most", kMillimetresPerMetre * c.tip_error_max, 2, " mm");
   add("in the grasp at most", kMillimetresPerMetre * c.tip_error_grasp, 2, " mm");
-  return line("certificate", text.empty() ? "none" : text);
+  std::string lines = line("certificate", text.empty() ? "none" : text);
+  if (!c.clearance_by_kind.empty()) lines += line("clearance", clearance_phrase(c));
+  return lines;
 }
 
 std::string timing(const Plan& plan) {
@@ -184,7 +187,7 @@ std::string timing(const Plan& plan) {
 std::string step_summary(const RobotModel& robot, const Plan& plan) {
   std::string text =
       fmt::format("{}/{:03}: {}", plan.demonstration, plan.movement.index, name_of(plan.status()));
-  if (!plan.has_trajectory())
+  if (plan.reason != Reason::none)
     text += fmt::format(", {}. {}", name_of(plan.reason), explanation_of(plan.reason).sentence);
   text += "\n";
   if (!plan.detail.empty()) text += line("", plan.detail);

@@ -129,6 +129,7 @@ PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOption
           time_and_certify(planner, world, approach_path, options, begin_s, plan.approach)) {
     return {Reason::no_approach, sentence(refused)};
   }
+  std::ranges::fill(plan.approach.phase, PhaseKind::approach);
   if (!options.retreat) return {};
 
   if (collision::target_state_at(world, end_s) == collision::TargetState::attached) {
@@ -143,6 +144,7 @@ PlanningFailure add_approach(const PlanningInputs& planner, const ApproachOption
     refused = time_and_certify(planner, world, reverse_path(motion, approach_path), options, end_s,
                                plan.retreat);
   }
+  std::ranges::fill(plan.retreat.phase, PhaseKind::retreat);
   if (!refused) return {};
   return {Reason::no_retreat,
           found ? sentence(refused) : no_path_reason(world, last, home, end_s, repair)};

@@ -12,6 +12,7 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
   plan.task = demonstration.task;
   plan.hand = demonstration.hand;
   plan.movement = movement;
+  plan.recording_assumptions = demonstration.assumptions;
   plan.tolerances = tolerances;
   return plan;
 }
@@ -20,6 +21,7 @@ Plan fail(Plan plan, PlanningFailure failure) {
   plan.reason = failure.reason;
   plan.detail = std::move(failure.detail);
   plan.approximate = false;
+  plan.delivered.reset();
   plan.trajectory = plan.approach = plan.retreat = {};
   plan.grasp = {};
   plan.certificate = {};

@@ -1,18 +1,21 @@
 #include "pipeline/planning/contact_attempt.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 #include "core/math/seed.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contact_posture.hpp"
+#include "pipeline/planning/held_path.hpp"
 #include "pipeline/planning/re_solve.hpp"
 #include "pipeline/planning/repair_movement.hpp"
 #include "stages/check/check_path.hpp"
 #include "stages/grasp/close_fingers.hpp"
 #include "stages/grasp/closure_goals.hpp"
 #include "stages/grasp/demonstrated_contacts.hpp"
+#include "stages/grasp/held_goals.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/re_solve_path.hpp"
 
@@ -37,6 +40,8 @@ map::MappingProblem problem_of(const ContactContext& context,
         normals[contact.tip] = target_rotation * contact.normal;
     }
   }
+  if (attempt.held.size() > 0)
+    hold_hand(grasp::hold_interval(plan.movement), attempt.held, problem);
   return problem;
 }
 
@@ -46,11 +51,45 @@ void set_pad_goals(const ContactContext& context, ContactAttempt& attempt) {
                        attempt.plan.goals);
 }
 
+/// Closes the fingers without goals at the frame of the grasp, in the posture `touching` too.
+void close_other_fingers(const ContactContext& context, const std::vector<std::string>& given_up,
+                         std::size_t frame, JointVector& touching, ContactAttempt& attempt) {
+  const robot::Robot& robot = context.planner.robot;
+  Goals& goals = attempt.plan.goals;
+  const Movement& movement = attempt.plan.movement;
+  std::vector<std::size_t> tips =
+      grasp::tips_without_goals(robot, goals, grasp::hold_interval(movement));
+  std::erase_if(tips, [&](std::size_t tip) {
+    return std::ranges::find(given_up, robot.tips[tip].name) != given_up.end();
+  });
+  grasp::FingerClosures closed =
+      grasp::close_fingers(context.world, goals.time[frame], tips, touching);
+  std::ranges::move(closed.open_reasons, std::back_inserter(attempt.notes));
+  grasp::set_closure_goals(robot, closed.closings, movement, context.target,
+                           attempt.plan.path.position, goals);
+  for (const grasp::FingerClosure& closing : closed.closings) {
+    attempt.contacts.push_back(closing.contact);
+    touching += closing.turn;
+  }
+  touching = touching.cwiseMax(robot.lower).cwiseMin(robot.upper);
+}
+
+/// Lets the hand keep the posture `touching` until the release, and the arm follow the target.
+void hold_target(const ContactContext& context, std::size_t frame, const JointVector& touching,
+                 ContactAttempt& attempt) {
+  Plan& plan = attempt.plan;
+  grasp::set_held_goals(context.planner.robot, attempt.contacts, touching, frame, plan.movement,
+                        context.target, plan.goals);
+  attempt.held = touching;
+  const map::MappingProblem problem =
+      with_clearance_weights(problem_of(context, context.world, attempt), kContactWeights);
+  follow_target(problem, frame, touching, context.planner.config.map, plan.path.position);
+}
+
 /// Sets the goals of pads and closed fingers, and the path from which to optimise: the previous one
 /// plus, times closing_progress(), its difference from a posture in contact at the grasp.
 void aim_hand(const ContactContext& context, const std::vector<std::string>& given_up,
               ContactAttempt& attempt) {
-  const robot::Robot& robot = context.planner.robot;
   const PipelineConfig& config = context.planner.config;
   Goals& goals = attempt.plan.goals;
   const grasp::HoldInterval hold = grasp::hold_interval(attempt.plan.movement);
@@ -69,25 +108,15 @@ void aim_hand(const ContactContext& context, const std::vector<std::string>& giv
   attempt.contacts = std::move(posture.contacts);
   goals = of_tips;
   set_pad_goals(context, attempt);
-  const JointVector& touching = posture.q;
+  JointVector touching = std::move(posture.q);
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double progress = grasp::closing_progress(hold, goals.time[f]);
     if (progress == 0) continue;
     path.row(f) += progress * (touching - before).transpose();
   }
-  if (!config.grasp->close_fingers) return;
-  std::vector<std::size_t> tips = grasp::tips_without_goals(robot, goals, hold);
-  std::erase_if(tips, [&](std::size_t tip) {
-    return std::ranges::find(given_up, robot.tips[tip].name) != given_up.end();
-  });
-  grasp::FingerClosures closed =
-      grasp::close_fingers(context.world, goals.time[frame], tips, touching);
-  std::ranges::move(closed.open_reasons, std::back_inserter(attempt.notes));
-  grasp::set_closure_goals(robot, closed.closings, attempt.plan.movement, context.target, path,
-                           goals);
-  for (const grasp::FingerClosure& closing : closed.closings) {
-    attempt.contacts.push_back(closing.contact);
-  }
+  if (config.grasp->close_fingers) close_other_fingers(context, given_up, frame, touching, attempt);
+  if (!std::isnan(carrying_begin_s(attempt.plan.movement)))
+    hold_target(context, frame, touching, attempt);
 }
 
 /// Returns the whole path, optimised locally with kContactWeights. The frames before the preshape
@@ -97,6 +126,7 @@ JointRows settle_path(const ContactContext& context, const ContactAttempt& attem
   collision::CollisionWorld world = context.world;
   world.touch_begin_s =
       std::max(world.touch_begin_s, grasp::hold_interval(plan.movement).begin_s - kTouchLeadTime_s);
+  collision::attach_target(plan.path.demonstration_time, plan.path.position, world);
   const map::MappingProblem problem =
       with_clearance_weights(problem_of(context, world, attempt), kContactWeights);
   return map::re_solve_between(problem, plan.path, plan.movement.begin_s, plan.movement.end_s,
@@ -136,7 +166,7 @@ std::size_t frame_of_grasp(const Goals& goals, const grasp::HoldInterval& hold) 
 ContactAttempt try_contacts(const ContactContext& context, const ContactRequest& request,
                             const Plan& by_tips) {
   const PlanningInputs& planner = context.planner;
-  ContactAttempt attempt{by_tips, request.contacts, {}, {}};
+  ContactAttempt attempt{by_tips, request.contacts, {}, {}, {}};
   Plan& plan = attempt.plan;
   grasp::keep_goals_outside(planner.robot, request.kept_outside, plan.movement, context.solid(),
                             plan.goals);
@@ -146,6 +176,9 @@ ContactAttempt try_contacts(const ContactContext& context, const ContactRequest&
   const JointRows mapped = plan.path.position;
   attempt.failure = free_path(context, problem, plan);
   if (attempt.failure) return attempt;
+  // The path for the tips may have been changed by a repair that did not free it.
+  plan.repaired = std::ranges::any_of(
+      plan.path.origin, [](SampleOrigin origin) { return origin != SampleOrigin::mapped; });
   plan.mapped = map::evaluate_path(problem, plan.goals, mapped, planner.config.map,
                                    math::seed_from(context.seed, "contacts"))
                     .mapped;

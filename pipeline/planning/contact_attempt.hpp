@@ -37,14 +37,17 @@ struct ContactAttempt {
   /// The contacts of the request and those of fingers that close.
   std::vector<grasp::DesiredContact> contacts;
   std::vector<std::string> notes;  ///< one sentence each
+  JointVector held;                ///< [n] posture whose hand holds the target, or empty
   PlanningFailure failure;         ///< set if the path still has findings
 };
 
 /// Plans the contacts of a request, starting from the plan `by_tips`, which follows the tips:
 ///   1. goals for the pads with contacts replace those of their tips
 ///   2. the fingers without goals close, if the config says so
-///   3. the path is optimised locally in the whole scene
-///   4. if it is nearly free then, it is solved again with high weights
+///   3. if the movement carries the target, the hand keeps its posture until the release, and the
+///      arm follows the target (held_path.hpp)
+///   4. the path is optimised locally in the whole scene
+///   5. if it is nearly free then, it is solved again with high weights
 /// There is no global search, because pad goals are close to tip goals, and so are the paths.
 ContactAttempt try_contacts(const ContactContext& context, const ContactRequest& request,
                             const Plan& by_tips);

@@ -12,6 +12,7 @@
 #include "core/config/fields.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/version.hpp"
+#include "pipeline/planning/assumptions.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -178,6 +179,10 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   if (loaded.options.split && !map::is_hand_only(loaded.robot)) {
     node["split"].fail("is only for hands without an arm: " + loaded.robot.name + " has an arm");
   }
+  loaded.assumptions = config_assumptions(loaded.options, robot.assumed, settings);
+  const std::string forbidden =
+      forbidden_assumption(loaded.options.must_be_known, loaded.assumptions);
+  if (!forbidden.empty()) node["must_be_known"].fail(forbidden);
   loaded.effective = config::write_options(loaded.options);
   loaded.inputs = name_inputs(groups);
   return loaded;
@@ -206,6 +211,10 @@ Tolerances tolerances_of(const PipelineConfig& config) {
     tolerances.max_link_penetration = config.grasp->max_link_penetration_m;
   }
   return tolerances;
+}
+
+bool is_carried_by_palm(const PipelineConfig& config) {
+  return config.grasp || config.scene.target.carried_by == scene::Carrier::palm;
 }
 
 LoadedConfig load_config(const std::filesystem::path& file,
@@ -255,9 +264,10 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
 }
 
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {
-  return {config.effective, files::sha256(config.effective),
-          dataset_sha256,   software(),
-          built_with(),     config.inputs};
+  return {config.effective,  files::sha256(config.effective),
+          dataset_sha256,    software(),
+          built_with(),      config.inputs,
+          config.assumptions};
 }
 
 }  // namespace morphe::planning

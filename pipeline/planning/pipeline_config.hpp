@@ -53,6 +53,8 @@ struct PipelineConfig {
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< if absent: no approach and retreat
   std::optional<PartsOptions> split;        ///< if absent: no planning in parts
+  /// What may not be assumed or inferred: a movement is not planned if it is.
+  std::vector<Knowable> must_be_known;
 };
 template <class Fields>
 void fields(Fields& f, PipelineConfig& o) {
@@ -73,11 +75,16 @@ void fields(Fields& f, PipelineConfig& o) {
   f("retime", o.retime);
   f("approach", o.approach);
   f("split", o.split);
+  f("must_be_known", o.must_be_known);
 }
 
 /// Returns the tolerances by which a plan is judged. With the section `grasp`, its values limit how
 /// deep pads and links may penetrate the target.
 Tolerances tolerances_of(const PipelineConfig& config);
+
+/// Returns true if a target that is carried is attached to the palm: by `carried_by`, or because
+/// the hand holds it with contacts.
+bool is_carried_by_palm(const PipelineConfig& config);
 
 /// A config of one robot, with the files that it names.
 struct LoadedConfig {
@@ -86,6 +93,7 @@ struct LoadedConfig {
   std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
   std::string effective;          ///< YAML with every key, defaults included
   std::vector<PlanFileHeader::Input> inputs;  ///< the files that were read
+  std::vector<Assumption> assumptions;        ///< config_assumptions()
 };
 
 /// Reads a config of one robot, applies "a.b=value" settings and loads the files that it names.

@@ -26,17 +26,18 @@ Pose base_from_motion(const PlanningInputs& planner, const HumanMotion& motion,
   return map::place_robot(robot, map::shoulder_at_begin(motion, movement), placement).inverse();
 }
 
-/// Lets a target that is carried in the movement move with the palm or the tips (`carried_by`).
+/// Lets a target that is carried in the movement move with the palm or with the person's tips
+/// (`carried_by`). With contacts it moves with both: the hand holds it as one body, and its motion
+/// with the tips is the goal.
 void carry_target(const PlanningInputs& planner, const HumanMotion& motion,
                   const Movement& movement, Scene& scene) {
   const robot::Robot& robot = planner.robot;
   for (SceneObject& object : scene.objects) {
     if (object.name != movement.target || !(object.attach_s < movement.end_s)) continue;
-    if (planner.config.scene.target.carried_by == scene::Carrier::palm) {
+    if (is_carried_by_palm(planner.config))
       object.attached_frame = robot.frames[robot.palm_frame].name;
-    } else {
+    if (planner.config.grasp || !is_carried_by_palm(planner.config))
       scene::move_with_tips(motion, movement, object);
-    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include "core/parallel/ordered_parallel_map.hpp"
 #include "core/robot/hand_dimensions.hpp"
 #include "pipeline/planning/begin_plan.hpp"
+#include "pipeline/planning/partial_delivery.hpp"
 #include "pipeline/planning/place_movement.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/plan_parts.hpp"
@@ -65,7 +66,7 @@ run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planning_inpu
     if (config.split) {
       plans[k] = plan_parts(planner, on_robot_side, motion, movements[k], *config.split);
     } else {
-      plans[k].push_back(plan_movement(planner, on_robot_side, motion, movements[k]));
+      plans[k].push_back(plan_movement_or_part(planner, on_robot_side, motion, movements[k]));
     }
     for (Plan& plan : plans[k]) plan = verified(planner, std::move(plan));
   });

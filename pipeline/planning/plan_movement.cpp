@@ -7,6 +7,7 @@
 
 #include "core/math/seed.hpp"
 #include "pipeline/planning/approach.hpp"
+#include "pipeline/planning/assumptions.hpp"
 #include "pipeline/planning/begin_plan.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contacts.hpp"
@@ -20,6 +21,7 @@
 #include "stages/certify/certify.hpp"
 #include "stages/certify/grasp.hpp"
 #include "stages/grasp/carrying.hpp"
+#include "stages/grasp/held_drift.hpp"
 #include "stages/grasp/measure.hpp"
 #include "stages/grasp/quality.hpp"
 #include "stages/import/audit/movement_checks.hpp"
@@ -27,6 +29,7 @@
 #include "stages/map/placement.hpp"
 #include "stages/reconstruct/human_limits.hpp"
 #include "stages/scene/move_target.hpp"
+#include "stages/scene/scene_flags.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -61,6 +64,16 @@ bool has_grasp_goal(const Goals& goals, const Movement& movement) {
   return !grasp_seen;
 }
 
+/// Adds the doubts about the objects around a movement to its plan. A hand without an arm has none.
+void add_scene_flags(const PlanningInputs& planner, const Demonstration& demonstration,
+                     const HumanMotion& motion, const Scene& scene, Plan& plan) {
+  if (map::is_hand_only(planner.robot)) return;
+  std::vector<RecordingFlag> flags =
+      scene::scene_flags(planner.config.scene, demonstration, motion, plan.movement, scene);
+  imports::accept_flags(demonstration, flags);
+  plan.flags.insert(plan.flags.end(), flags.begin(), flags.end());
+}
+
 PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& demonstration,
                          const HumanMotion& recorded, const Movement& movement,
                          const std::optional<Vec3>& known_offset) {
@@ -81,16 +94,19 @@ PreparedMovement prepare(const PlanningInputs& planner, const Demonstration& dem
                                     config.scene.target.name, obstacle_names(config.scene)},
                                    config.audit);
   });
+  Movement& placed = setting.begun.movement;
+  scene::RelocatedMovement relocated = planner.timed("scene", [&] {
+    const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);
+    add_scene_flags(planner, demonstration, recorded, as_recorded, setting.begun);
+    return scene::move_target(config.scene, recorded, placed, as_recorded);
+  });
   if (!has_grasp_goal(goals, movement)) {
     setting.refusal = {Reason::no_goal, "no fingertip was seen in the grasp"};
   } else if (const auto* refused = imports::refused_flag(setting.begun.flags, config.audit)) {
     setting.refusal = {Reason::doubtful_recording, refused->text};
+  } else {
+    setting.refusal = refused_assumption(config.must_be_known, setting.begun, relocated.scene);
   }
-  Movement& placed = setting.begun.movement;
-  scene::RelocatedMovement relocated = planner.timed("scene", [&] {
-    const Scene as_recorded = scene_around(planner, demonstration, recorded, placed);
-    return scene::move_target(config.scene, recorded, placed, as_recorded);
-  });
   setting.motion = std::move(relocated.motion);
   setting.around = std::move(relocated.scene);
   setting.offset = known_offset.value_or(Vec3::Zero());
@@ -152,7 +168,10 @@ void add_grasp_and_approach(const PlanningInputs& planner, const PreparedMovemen
     }
   }
   if (config.grasp) {
-    if (const PlanningFailure lost = grasp::check_held(planner.robot, plan.movement, plan.grasp)) {
+    const grasp::HeldDrift drift = grasp::held_drift(planner.robot, plan);
+    plan.certificate.held_drift = drift.displacement_m;
+    plan.certificate.held_turn = drift.turn_rad;
+    if (const PlanningFailure lost = grasp::check_held(planner.robot, plan)) {
       plan = fail(std::move(plan), lost);
       return;
     }
@@ -177,8 +196,10 @@ void complete_plan(const PlanningInputs& planner, const PreparedMovement& settin
   if (plan.has_trajectory()) add_grasp_and_approach(planner, setting, contacts, world, plan);
 }
 
-/// Returns true if all findings of the path, if any, are collisions with the target.
-bool can_use_contacts(const Plan& plan) {
+/// Returns true if contacts may remove all findings of the path: they are collisions with the
+/// target, or the hand will follow a target that it carries instead of the person's tips.
+bool can_use_contacts(const PlanningInputs& planner, const Plan& plan) {
+  if (grasp::must_be_held(planner.robot, plan.movement)) return true;
   return std::ranges::all_of(plan.remaining_findings, [&](const Finding& finding) {
     return finding.other_body == plan.movement.target;
   });
@@ -208,6 +229,11 @@ Plan plan_with_contacts(const PlanningInputs& planner, const PreparedMovement& s
       failure = {plan.reason, plan.detail};
     }
     notes = {given_up_sentence({}, failure)};
+    if (grasp::must_be_held(planner.robot, by_tips.movement)) {
+      failure.detail +=
+          fmt::format("; {} is carried, so its contacts are not given up", by_tips.movement.target);
+      return fail(std::move(start), failure);
+    }
   }
   if (refused_by_tips) return fail(by_tips, refused_by_tips);
   Outcome<Plan> outside = planner.timed(
@@ -215,6 +241,18 @@ Plan plan_with_contacts(const PlanningInputs& planner, const PreparedMovement& s
   if (outside.failure) return fail(std::move(outside.value), outside.failure);
   complete_plan(planner, setting, {{}, std::move(notes)}, world, outside.value);
   return std::move(outside.value);
+}
+
+/// Returns the scene of a path that follows the tips and is replaced by one with contacts: the
+/// target moves as it was recorded, but is not yet a body that the hand carries.
+Scene scene_before_contacts(const Plan& plan) {
+  Scene scene = plan.scene;
+  SceneObject* target = find_object(scene.objects, plan.movement.target);
+  if (target) {
+    target->attached_frame.clear();
+    target->attach_s = target->release_s = kUnknown;
+  }
+  return scene;
 }
 
 /// Plans a movement with the distances from obstacles that the config states.
@@ -233,7 +271,8 @@ Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demo
   if (!placed.missing_support.empty())
     return fail(std::move(plan), {Reason::no_reference_frame, placed.missing_support});
   if (setting.refusal) return fail(std::move(plan), setting.refusal);
-  collision::CollisionWorld world = collision::make_world(planner.robot, plan.scene, plan.movement,
+  const Scene scene = config.grasp ? scene_before_contacts(plan) : plan.scene;
+  collision::CollisionWorld world = collision::make_world(planner.robot, scene, plan.movement,
                                                           plan.tolerances, config.scene.meshes);
   Outcome<map::MapResult> mapping = planner.timed("map", [&] {
     return map::map_movement(placed.problem, plan.goals, config.map, setting.seed);
@@ -257,8 +296,9 @@ Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demo
     plan.repaired = repaired.value.repaired;
     failure = std::move(repaired.failure);
   }
-  if (config.grasp && can_use_contacts(plan)) {
+  if (config.grasp && can_use_contacts(planner, plan)) {
     world.tolerances = tolerances_of(config);
+    world.scene = &plan.scene;
     return plan_with_contacts(planner, setting, world, plan, failure);
   }
   if (failure) return fail(std::move(plan), failure);

@@ -29,7 +29,8 @@ struct Reconstruction {
 Reconstruction reconstruct_demonstration(const PlanningInputs& planner,
                                          const Demonstration& demonstration);
 
-/// Reconstructs a demonstration, plans each of its movements and verifies the plans. A
+/// Reconstructs a demonstration, plans each of its movements, or a part of it
+/// (partial_delivery.hpp), and verifies the plans. A
 /// demonstration without movements results in one plan with the reason "no_movement".
 run::DemonstrationOutcome plan_demonstration(const PlanningInputs& planner,
                                              const Demonstration& demonstration);

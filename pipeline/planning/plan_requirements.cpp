@@ -6,6 +6,7 @@
 #include "core/files/sha256.hpp"
 #include "core/motion/input_error.hpp"
 #include "pipeline/planning/approach.hpp"
+#include "pipeline/planning/assumptions.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
 #include "pipeline/planning/unpacked_inputs.hpp"
 #include "stages/scene/configured_body.hpp"
@@ -13,17 +14,17 @@
 namespace morphe::planning {
 namespace {
 
-RobotModel robot_in(const std::filesystem::path& file, const UnpackedInputs& files) {
+robot::RobotDescription robot_in(const std::filesystem::path& file, const UnpackedInputs& files) {
   robot::RobotDescription robot = robot::load_robot(file);
   for (const std::filesystem::path& own : robot.files) {
     if (!files.contains(own))
       throw InputError(fmt::format("{}: names a file that is not in /inputs", file.string()));
   }
-  return std::move(robot.table);
+  return robot;
 }
 
 /// Returns the robot of the first input file that has the configured name and is a valid robot.
-RobotModel robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
+robot::RobotDescription robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
   std::string error_text = fmt::format("/inputs: does not contain {}", config.robot.file);
   for (const std::filesystem::path& file : files.find_all(config.robot.file)) {
     try {
@@ -93,7 +94,9 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   const UnpackedInputs files(header.inputs);
   PlanRequest request;
   try {
-    request.robot = robot_of(config, files);
+    robot::RobotDescription robot = robot_of(config, files);
+    request.robot = std::move(robot.table);
+    request.assumptions = config_assumptions(config, robot.assumed, {});
     add_bodies(config.scene.objects, request);
     add_bodies(file_objects(config.scene, files), request);
   } catch (const InputError& error) {
@@ -102,11 +105,15 @@ PlanRequest plan_requirements(const PlanFileHeader& header) {
   request.config_sha256 = files::sha256(header.config);
   request.tolerances = tolerances_of(config);
   request.refused_flags = config.audit.refuse;
+  request.must_be_known = config.must_be_known;
   request.goal_step_s = 1 / config.reconstruct.rate_hz;
   request.limit_scaling = config.retime.limit_scaling;
   if (!config.split && !config.segment.whole_recording)
     request.plan_until = config.segment.plan_until;
-  if (config.scene.target.carried_by == scene::Carrier::palm)
+  for (const segment::TaskEnd& end : config.segment.plan_until_by_task)
+    request.plan_until_by_task.emplace_back(end.task, end.until);
+  request.partial = config.split ? PartialPlans::never : config.segment.partial;
+  if (is_carried_by_palm(config))
     request.carrier_frame = request.robot.frames[request.robot.palm_frame].name;
   if (config.approach)
     request.home = {home_posture(request.robot, *config.approach), config.approach->limit_scaling,

@@ -68,6 +68,7 @@ std::string warnings(const collision::CollisionWorld& world, const Goals& goals,
   if (with_delay && !trajectory.time.empty()) sentences.push_back(delay_text(trajectory));
   if (goal_tips.size() == 1) sentences.push_back("only " + goal_tips.front() + " has goals");
   for (const Phase& phase : movement.phases) {
+    if (main_phase_of(phase.kind) != phase.kind) continue;  // has the limits of its main phase
     if (phase.begin_s > movement.end_s || phase.confidence > kMaxUncertainConfidence) continue;
     sentences.push_back(fmt::format("the limits of phase {} are uncertain (confidence {:.0f} %)",
                                     name_of(phase.kind), 100 * phase.confidence));
@@ -118,7 +119,7 @@ std::string near_contacts_warning(const Grasp& grasp) {
 }
 
 std::string unchecked_carrying_warning(const Movement& movement) {
-  const double begin_s = grasp::carrying_begin_s(movement);
+  const double begin_s = carrying_begin_s(movement);
   if (std::isnan(begin_s)) return "";
   return fmt::format(
       "{} is carried from {:.2f} s on, but its contacts are not planned or checked (add the "

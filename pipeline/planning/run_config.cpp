@@ -49,6 +49,7 @@ RunConfig stored_config(const fs::path& plans) {
   config::read_document(node, loaded.options);
   loaded.robot = robot::Robot(reader.robot());
   loaded.inputs = header.inputs;
+  loaded.assumptions = header.assumptions;
   loaded.effective = header.config;
   if (config::write_options(loaded.options) != header.config)
     throw InputError(fmt::format("{}: /@config: was written by another version ({})",

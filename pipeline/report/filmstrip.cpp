@@ -192,8 +192,7 @@ void draw_charts(Svg& svg, const Plan& plan, const PlanView& view,
     double max_m = kUnknown;
     for (const double error : motion->tip_error.row(row)) max_m = std::fmax(max_m, error);
     max_error_mm.push_back(max_m * 1e3);
-    const PhaseKind phase = motion->phase[row];
-    const bool grasping = phase == PhaseKind::grasp || phase == PhaseKind::hold;
+    const bool grasping = is_grasping_at(plan.movement, motion->demonstration_time[row]);
     allowed_mm.push_back(
         (grasping ? plan.tolerances.tracking_tolerance_grasp : plan.tolerances.tracking_tolerance) *
         1e3);
@@ -214,7 +213,7 @@ std::string filmstrip(const robot::Robot& robot, const Plan& plan, const std::st
   const double charts = kTitleHeight_px + kPanelHeight_px + kCaptionHeight_px;
   Svg svg(kWidth_px, charts + kChartHeight_px, fmt::format("{} by {}", plan_path, robot.name));
   std::string head = fmt::format("{}, {}: {}", plan_path, robot.name, name_of(plan.status()));
-  if (!plan.has_trajectory()) head += fmt::format(" ({})", name_of(plan.reason));
+  if (plan.reason != Reason::none) head += fmt::format(" ({})", name_of(plan.reason));
   svg.text({6, 18}, 14, "start", head);
   svg.text({kWidth_px - 170, 18}, 12, "end", "robot", Colours::kRobot);
   svg.text({kWidth_px - 110, 18}, 12, "end", "person", Colours::kPerson);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/flag_text.hpp"
 #include "core/motion/goal_interpolation.hpp"
 #include "core/store/json_layout.hpp"
@@ -64,6 +65,9 @@ Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path
   row["unchecked_links"] = robot.unchecked_links;
   row["flags"] = Json::array();
   for (const RecordingFlag& flag : plan.flags) row["flags"].push_back(sentence(flag));
+  row["assumptions"] = Json::array();
+  for (const Assumption& each : plan_assumptions(plan))
+    row["assumptions"].push_back({{"kind", name_of(each.kind)}, {"text", phrase(each)}});
   row["mirrored"] = plan.hand != robot.side;
   return row;
 }

@@ -22,6 +22,8 @@ Json summary_of(const simulate::StoredResult& stored) {
                {"contact_source", name_of(result.contact_source)},
                {"rollouts", result.rollouts.size()},
                {"held", summary.held},
+               {"tasks", summary.tasks},
+               {"tasks_done", summary.tasks_done},
                {"failures", summary.failures},
                {"load_directions", summary.load_directions},
                {"load_directions_held", summary.load_directions_held},
@@ -30,6 +32,9 @@ Json summary_of(const simulate::StoredResult& stored) {
   add("droop_m", summary.droop_m);
   add("slip_m", summary.slip_m);
   add("drift_m", summary.drift_m);
+  add("palm_offset_m", summary.palm_offset_m);
+  add("place_error_m", summary.place_error_m);
+  add("tilt_deg", summary.tilt_deg);
   add("arm_error", summary.arm_error);
   add("hand_error", summary.hand_error);
   add("torque_ratio", summary.torque_ratio);

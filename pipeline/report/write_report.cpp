@@ -8,6 +8,7 @@
 #include "core/files/atomic_file.hpp"
 #include "core/files/base64.hpp"
 #include "core/files/sha256.hpp"
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
 #include "core/parallel/ordered_parallel_map.hpp"
@@ -88,6 +89,9 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   json["config_sha256"] = header.config_sha256;
   json["dataset_sha256"] = header.dataset_sha256;
   json["config"] = header.config;
+  json["assumptions"] = Json::array();
+  for (const Assumption& each : header.assumptions)
+    json["assumptions"].push_back({{"kind", name_of(each.kind)}, {"text", phrase(each)}});
   json["plans"] = run.reader->size();
   json["shown"] = run.selected.plans.size();
   json["left_out"] = run.selected.left_out;

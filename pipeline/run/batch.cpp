@@ -45,6 +45,7 @@ BatchSummary summary_of(const DemonstrationOutcome& outcome) {
     if (status == Status::executable) ++summary.executable;
     if (status == Status::executable && plan.repaired) ++summary.repaired;
     if (status == Status::approximate) ++summary.approximate;
+    if (status == Status::partial) ++summary.partial;
     if (status == Status::infeasible) {
       ++summary.infeasible;
       ++summary.reasons[std::string(name_of(plan.reason))];
@@ -64,6 +65,7 @@ void add(const BatchSummary& more, BatchSummary& sum) {
   sum.movements += more.movements;
   sum.executable += more.executable;
   sum.approximate += more.approximate;
+  sum.partial += more.partial;
   sum.infeasible += more.infeasible;
   sum.repaired += more.repaired;
   sum.failed += more.failed;
@@ -112,10 +114,13 @@ std::string summary_sentence(const BatchSummary& summary) {
   if (!reasons.empty()) reasons += ")";
   const std::string approximate =
       summary.approximate > 0 ? fmt::format("{} approximate, ", summary.approximate) : "";
-  std::string text = fmt::format("{}, {}: {} executable ({} repaired), {}{} infeasible{}",
-                                 count_with_noun(summary.demonstrations, "demonstration"),
-                                 count_with_noun(summary.movements, "movement"), summary.executable,
-                                 summary.repaired, approximate, summary.infeasible, reasons);
+  const std::string partial =
+      summary.partial > 0 ? fmt::format("{} partial, ", summary.partial) : "";
+  std::string text =
+      fmt::format("{}, {}: {} executable ({} repaired), {}{}{} infeasible{}",
+                  count_with_noun(summary.demonstrations, "demonstration"),
+                  count_with_noun(summary.movements, "movement"), summary.executable,
+                  summary.repaired, approximate, partial, summary.infeasible, reasons);
   if (summary.failed > 0) text += fmt::format(", {} failed", summary.failed);
   if (summary.reused > 0) text += fmt::format("; {} reused from an earlier run", summary.reused);
   return text;
@@ -155,6 +160,7 @@ std::string serialize_summary(const BatchSummary& s) {
                         {"movements", s.movements},
                         {"executable", s.executable},
                         {"approximate", s.approximate},
+                        {"partial", s.partial},
                         {"infeasible", s.infeasible},
                         {"repaired", s.repaired},
                         {"failed", s.failed},
@@ -176,6 +182,7 @@ BatchSummary deserialize_summary(const std::string& text) {
     json.at("movements").get_to(s.movements);
     json.at("executable").get_to(s.executable);
     s.approximate = json.value("approximate", 0);  // absent in journals of earlier versions
+    s.partial = json.value("partial", 0);          // absent there as well
     json.at("infeasible").get_to(s.infeasible);
     json.at("repaired").get_to(s.repaired);
     json.at("failed").get_to(s.failed);
@@ -197,6 +204,7 @@ std::string summary_json(const BatchSummary& summary) {
                                     {"movements", summary.movements},
                                     {"executable", summary.executable},
                                     {"approximate", summary.approximate},
+                                    {"partial", summary.partial},
                                     {"infeasible", summary.infeasible},
                                     {"repaired", summary.repaired},
                                     {"failed", summary.failed},

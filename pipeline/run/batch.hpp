@@ -22,9 +22,9 @@ struct DemonstrationOutcome {
 /// The counts over a run or a part of it.
 struct BatchSummary {
   int demonstrations = 0, movements = 0;
-  int executable = 0, approximate = 0, infeasible = 0;  ///< movements
-  int repaired = 0;                                     ///< movements
-  int failed = 0;                                       ///< demonstrations
+  int executable = 0, approximate = 0, partial = 0, infeasible = 0;  ///< movements
+  int repaired = 0;                                                  ///< movements
+  int failed = 0;                                                    ///< demonstrations
   std::map<std::string, int> reasons;         ///< of infeasible movements, with their number
   std::map<std::string, double> stage_cpu_s;  ///< processor time by stage
   std::int64_t mapped = 0, frames = 0;        ///< mapped movements, and their frames
@@ -55,8 +55,9 @@ DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demo
 /// Plans every demonstration on up to `jobs` threads, with attempt(). Returns the sum of summaries.
 BatchSummary run_batch(const Batch& batch, int jobs);
 
-/// Returns "5 demonstrations, 5 movements: 3 executable (1 repaired), 1 approximate, 1 infeasible
-/// (no_goal 1), 1 failed; 2 reused from an earlier run", the last two and approximate only if any.
+/// Returns "5 demonstrations, 5 movements: 3 executable (1 repaired), 1 approximate, 1 partial, 1
+/// infeasible (no_goal 1), 1 failed; 2 reused from an earlier run", the last two, approximate and
+/// partial only if any.
 std::string summary_sentence(const BatchSummary& summary);
 /// Returns the frames of mapped movements per second of processor time; 0 if no time was measured.
 double frames_per_cpu_second(const BatchSummary& summary);

@@ -27,6 +27,7 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, const Run
   }
   text += fmt::format(": {} executable ({} repaired), ", sum.executable, sum.repaired);
   if (sum.approximate > 0) text += fmt::format("{} approximate, ", sum.approximate);
+  if (sum.partial > 0) text += fmt::format("{} partial, ", sum.partial);
   text += fmt::format("{} infeasible", sum.infeasible);
   return sum.failed > 0 ? text + fmt::format(", {} failed", sum.failed) : text;
 }

@@ -1,6 +1,7 @@
 #include "pipeline/setup/description_sections.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <filesystem>
 #include <map>
@@ -58,6 +59,27 @@ std::string urdf_section(const SetupRequest& request, const std::vector<JointLim
     text += fmt::format("}}  # {}{}\n", own.source.empty() ? "assumed: 3 v, 50 a" : own.source,
                         limit_remark(own));
   }
+  return text;
+}
+
+std::string assumed_section(const UrdfAnalysis& found, const std::vector<JointLimits>& limits) {
+  std::vector<std::string> joints, links;
+  for (const JointLimits& own : limits)
+    if (own.source.empty()) joints.push_back(own.joint);
+  for (const LinkCapsules& link : found.capsules)
+    if (link.sure == Provenance::assumed) links.push_back(found.link(link.frame));
+  if (joints.empty() && links.empty()) return "assumed: {}\n";
+  std::string text = "assumed:\n";
+  if (!joints.empty())
+    text +=
+        fmt::format("  limits: {}\n",
+                    yaml_name(fmt::format("acceleration is three times the velocity per second, "
+                                          "jerk fifty times the acceleration per second, of {}",
+                                          fmt::join(joints, ", "))));
+  if (!links.empty())
+    text += fmt::format("  geometry: {}\n",
+                        yaml_name(fmt::format("capsules of {}, whose shapes are not known",
+                                              fmt::join(links, ", "))));
   return text;
 }
 

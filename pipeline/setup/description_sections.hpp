@@ -14,6 +14,8 @@ namespace morphe::setup {
 
 /// The URDF's path and the limits that it lacks.
 std::string urdf_section(const SetupRequest& request, const std::vector<JointLimits>& limits);
+/// What neither the URDF nor the manufacturer states, of limits and geometry.
+std::string assumed_section(const UrdfAnalysis& found, const std::vector<JointLimits>& limits);
 /// The arm and the fingers as chains.
 std::string chains_section(const UrdfAnalysis& found);
 /// The joint centres of the arm, flange and palm as frames, and which are shoulder and palm.

@@ -166,7 +166,11 @@ SetupResult mount_hand(const MountRequest& request, const std::optional<std::str
     kept.clear();
     return before ? merge_sections(sections, *before, kept) : join_sections(sections);
   };
-  std::vector<Section> sections = {{"name", named}, {"parts", parts}};
+  const std::string assumed =
+      request.mount ? "assumed: {}\n"
+                    : "assumed:\n  mount: fingers along the flange's z, palm towards its x; the "
+                      "adapter is not known\n";
+  std::vector<Section> sections = {{"name", named}, {"assumed", assumed}, {"parts", parts}};
   // Without a hand, the wrist of the arm is its end; with a hand, it is a joint like the others.
   const auto wrist = std::ranges::find(arm.table.frames, "wrist_centre", &RobotModel::Frame::name);
   if (wrist != arm.table.frames.end())

@@ -42,6 +42,7 @@ std::vector<Section> sections_without_shapes(const SetupRequest& request, const 
                                              const std::vector<JointLimits>& limits) {
   std::vector<Section> sections = {
       {"name", fmt::format("name: {}\n", yaml_name(name))},
+      {"assumed", assumed_section(found, limits)},
       {"urdf", urdf_section(request, limits)},
       {"chains", chains_section(found)},
       {"fixed_joints", fixed_joints_section(found)},

@@ -33,7 +33,7 @@ Plot speed_plot(const std::string& name, const HumanMotion& motion,
   plot.lines = {std::move(tip), std::move(wrist)};
   for (const Movement& movement : movements) {
     for (const Phase& phase : movement.phases) {
-      if (phase.kind != PhaseKind::preshape)
+      if (phase.kind != PhaseKind::preshape && main_phase_of(phase.kind) == phase.kind)
         plot.bands.push_back({std::string(name_of(phase.kind)), phase.begin_s, phase.end_s});
     }
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/collision/continuous_check.hpp"
@@ -49,6 +50,23 @@ std::string limit_violation(const RobotModel& robot, const Trajectory& trajector
 }
 
 double nan_if_infinite(double clearance) { return std::isinf(clearance) ? kUnknown : clearance; }
+
+/// Sets the clearance of a motion, over all pairs and of each kind.
+void set_clearance(const collision::CollisionWorld& world, const collision::JointMotion& motion,
+                   collision::CollisionScratch& scratch, Certificate& certificate) {
+  const auto kinds = collision::clearance_by_kind(world, motion, scratch, kClearanceResolution_m);
+  double least_m = kInfinity;
+  for (int k = 0; k < kClearanceKindCount; ++k) {
+    const collision::MotionClearance& found = kinds[k];
+    if (!std::isfinite(found.distance)) continue;
+    least_m = std::min(least_m, found.lower_bound_m);
+    certificate.clearance_by_kind.push_back({static_cast<ClearanceKind>(k), found.lower_bound_m,
+                                             collision::first_body_name(world, found.pair),
+                                             collision::second_body_name(world, found.pair),
+                                             found.parameter});
+  }
+  certificate.clearance = nan_if_infinite(least_m);
+}
 
 /// Returns a sentence about a contact that is not allowed or cannot be excluded, or "".
 std::string collision_violation(const collision::CollisionWorld& world,
@@ -124,8 +142,7 @@ Outcome<Certificate> certify_motion(const collision::CollisionWorld& world,
         nan_if_infinite(collision::clearance(world, q, trajectory.demonstration_time[i], scratch));
   }
   const collision::JointMotion motion = trajectory_motion(trajectory);
-  c.clearance = nan_if_infinite(
-      collision::motion_clearance(world, motion, scratch, kClearanceResolution_m).lower_bound_m);
+  set_clearance(world, motion, scratch, c);
   c.unchecked_links = world.robot->unchecked_links;
   fail(Reason::smoothing_collision, collision_violation(world, motion, trajectory, scratch));
   return result;

@@ -40,6 +40,14 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
   return json;
 }
 
+Json assumptions_json(const std::vector<Assumption>& assumptions) {
+  Json list = Json::array();
+  for (const Assumption& each : assumptions)
+    list.push_back(
+        {{"kind", name_of(each.kind)}, {"subject", each.subject}, {"value", each.value}});
+  return list;
+}
+
 }  // namespace
 
 std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
@@ -53,6 +61,7 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
                {"resampled", index.motion.rate_hz > 0},
                {"delay_s", index.motion.delay_s},
                {"approach", name_of(index.motion.approach)}};
+  json["assumptions"] = assumptions_json(header.assumptions);
   json["groups"] = Json::object();
   for (const JointGroup& group : index.groups)
     json["groups"][group.name] = group_json(group, robot);
@@ -63,6 +72,7 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
     Json entry = {
         {"plan", plan.plan}, {"status", name_of(plan.status)},         {"subject", plan.subject},
         {"task", plan.task}, {"flags", store::flags_json(plan.flags)}, {"motions", motions}};
+    entry["assumptions"] = assumptions_json(plan.assumptions);
     if (!plan.grasp_files.empty()) entry["grasp"] = plan.grasp_files;
     json["plans"].push_back(entry);
   }

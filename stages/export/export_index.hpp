@@ -23,9 +23,10 @@ struct IndexedMotion {
 /// The exported files of one plan.
 struct IndexedPlan {
   std::string plan;                    ///< <demonstration>/<000>
-  Status status = Status::executable;  ///< executable or approximate
+  Status status = Status::executable;  ///< executable, approximate or partial
   std::string subject, task;
-  std::vector<RecordingFlag> flags;  ///< doubts about the recording
+  std::vector<RecordingFlag> flags;     ///< doubts about the recording
+  std::vector<Assumption> assumptions;  ///< about recording and objects
   std::vector<IndexedMotion> motions;
   std::vector<std::string> grasp_files;  ///< files of the grasp, for a plan with contacts
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/plan_file.hpp"
 #include "stages/export/grasp_files.hpp"
@@ -71,6 +72,7 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
   indexed.status = plan.status();
   indexed.subject = plan.subject;
   indexed.flags = plan.flags;
+  indexed.assumptions = plan_assumptions(plan);
   indexed.task = plan.task;
   for (const auto& [name, t] : motions) {
     IndexedMotion& entry = indexed.motions.emplace_back();

@@ -17,7 +17,8 @@ std::string trajectory_defect(const Trajectory& t) {
   for (int i = 0; i < std::ssize(t.time); ++i) {
     const bool increases = i == 0 || t.time[i] > t.time[i - 1];
     if (!increases || !std::isfinite(t.time[i])) return "the trajectory's time does not increase";
-    if (t.phase[i] > PhaseKind::return_phase) return "the trajectory contains unknown phases";
+    if (static_cast<std::size_t>(t.phase[i]) >= enum_count<PhaseKind>())
+      return "the trajectory contains unknown phases";
   }
   return "";
 }

@@ -53,6 +53,10 @@ RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool tar
     // A quaternion and its negative are the same rotation; keep the sign continuous.
     if (i > 0 && palm_quat.row(i).dot(palm_quat.row(i - 1)) < 0) palm_quat.row(i) *= -1;
     phase(i, static_cast<int>(t.phase[i])) = 1;
+    if (main_phase_of(t.phase[i]) != t.phase[i]) {
+      const PhaseKind main = main_phase_at(plan.movement.phases, t.demonstration_time[i]);
+      phase(i, static_cast<int>(main)) = 1;
+    }
   }
   RobomimicDemo demo{fmt::format("{}/{:03}", plan.demonstration, plan.movement.index),
                      plan.subject,

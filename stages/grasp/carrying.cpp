@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/closure/opposed_contacts.hpp"
+#include "stages/grasp/constants.hpp"
 
 namespace morphe::grasp {
 namespace {
@@ -35,12 +36,8 @@ std::size_t fingers_with_pads(const robot::Robot& robot) {
 
 }  // namespace
 
-double carrying_begin_s(const Movement& movement) {
-  if (movement.target.empty()) return kUnknown;
-  for (const Phase& phase : movement.phases) {
-    if (phase.kind == PhaseKind::transport && phase.begin_s < movement.end_s) return phase.begin_s;
-  }
-  return kUnknown;
+bool must_be_held(const robot::Robot& robot, const Movement& movement) {
+  return !std::isnan(carrying_begin_s(movement)) && fingers_with_pads(robot) > 1;
 }
 
 bool is_held(const Grasp& grasp) {
@@ -53,13 +50,21 @@ bool is_held(const Grasp& grasp) {
   return closure::has_opposed_contacts(touching) || grasp.quality.epsilon_lower > 0;
 }
 
-PlanningFailure check_held(const robot::Robot& robot, const Movement& movement,
-                           const Grasp& grasp) {
-  const double begin_s = carrying_begin_s(movement);
-  if (std::isnan(begin_s) || fingers_with_pads(robot) < 2 || is_held(grasp)) return {};
+PlanningFailure check_held(const robot::Robot& robot, const Plan& plan) {
+  if (!must_be_held(robot, plan.movement)) return {};
+  if (!is_held(plan.grasp)) {
+    return {Reason::not_held, fmt::format("{} is carried from {:.2f} s on without two opposed "
+                                          "contacts: {}",
+                                          plan.movement.target, carrying_begin_s(plan.movement),
+                                          contacts_text(plan.grasp.contacts))};
+  }
+  const Certificate& c = plan.certificate;
+  if (c.held_drift <= kMaxHeldDrift_m && c.held_turn <= kMaxHeldTurn_rad) return {};
   return {Reason::not_held,
-          fmt::format("{} is carried from {:.2f} s on without two opposed contacts: {}",
-                      movement.target, begin_s, contacts_text(grasp.contacts))};
+          fmt::format("the pads that hold {} move by {:.2f} mm and turn by {:.2f} degrees in the "
+                      "hand until the release; allowed: {:.1f} mm, {:.0f} degree",
+                      plan.movement.target, 1e3 * c.held_drift, c.held_turn / kRadPerDegree,
+                      1e3 * kMaxHeldDrift_m, kMaxHeldTurn_rad / kRadPerDegree)};
 }
 
 }  // namespace morphe::grasp

@@ -29,17 +29,16 @@ void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosur
   std::vector<Pose> base_from_frame;
   for (int f = 0; f < std::ssize(goals.time); ++f) {
     const double share = closing_progress(hold, goals.time[f]);
-    if (share == 0) continue;
+    if (share == 0 || goals.time[f] > hold.opening_s) continue;
     JointVector q = path.row(f).transpose();
     for (const FingerClosure& closing : closings) q += share * closing.turn;
     robot::forward_kinematics(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper),
                               base_from_frame);
-    const bool in_palm = goals.time[f] > target.attach_s && !target.attached_frame.empty();
     for (const FingerClosure& closing : closings) {
       const std::size_t tip = closing.contact.tip;
       goals.tip_position(f, tip) =
-          share < 1 || in_palm ? robot::tracked_point(robot, base_from_frame, tip, 1)
-                               : recorded_pose(target, goals.time[f]) * closing.contact.centre;
+          share < 1 ? robot::tracked_point(robot, base_from_frame, tip, 1)
+                    : recorded_pose(target, goals.time[f]) * closing.contact.centre;
       goals.tip_to_pad_share(f, tip) = 1;
     }
   }

@@ -12,8 +12,8 @@ std::vector<std::size_t> tips_without_goals(const robot::Robot& robot, const Goa
 
 /// Sets goals for the tips of closed fingers. While closing_progress() is between 0 and 1, that
 /// share of `turn` is added to the posture in `path` [F, n], and the goal of the pad follows the
-/// forward kinematics. At 1, the pad stays on the target or, once the target is attached to the
-/// palm, follows the kinematics too.
+/// forward kinematics. At 1, the pad stays on the target. From the release on there is no goal, so
+/// that the finger returns to its natural posture.
 void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosure>& closings,
                        const Movement& movement, const SceneObject& target, const JointRows& path,
                        Goals& goals);

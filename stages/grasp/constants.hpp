@@ -17,12 +17,17 @@ inline constexpr double kMinLeverRatio = 0.2;  ///< of a joint that closes, to t
 
 inline constexpr int kMaxSeparationRounds = 50;      ///< rounds in which contacts move apart
 inline constexpr double kOverlapTolerance_m = 1e-4;  ///< overlap of two pads that remains
-inline constexpr double kReleaseDuration_s = 0.3;    ///< over which the contacts are released
+/// Distance of the pads from a released target [m]: as far as servos that lag do not touch it.
+inline constexpr double kLeavingGap_m = 0.01;
+inline constexpr double kReleaseDuration_s = 0.3;  ///< over which the contacts are released
 
 /// Largest gap between a pad and the surface that it touches, and the largest angle between the
 /// middle of the pad and the surface's normal. With a larger gap it presses on air, and with a
 /// larger angle the finger touches with its side or its nail.
 inline constexpr double kMaxContactGap_m = 2e-4, kMaxContactAngle_rad = 60 * kRadPerDegree;
+
+/// Largest motion of the pads in the hand that carries the target.
+inline constexpr double kMaxHeldDrift_m = 5e-4, kMaxHeldTurn_rad = kRadPerDegree;
 
 // The posture at the grasp, in which contacts slide along the surface (SurfaceContactTerm).
 /// Largest distance of a contact from the point that the person touched [m].

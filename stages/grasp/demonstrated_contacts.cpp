@@ -95,25 +95,20 @@ void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>&
   const HoldInterval hold = hold_interval(movement);
   if (goals.tip_to_pad_share.rows == 0)
     goals.tip_to_pad_share = {goals.frames(), robot.tips.size(), 0.0};
-  const bool by_palm = !target.object.attached_frame.empty();
   for (const DesiredContact& touch : touches) {
-    Vec3 offset = Vec3::Zero();  // from tip to pad when the target was taken
+    const double radius_m = robot.pads[touch.tip].radius;
     for (int f = 0; f < std::ssize(goals.time); ++f) {
       const double share = closing_progress(hold, goals.time[f]);
+      const bool leaving = goals.time[f] > hold.opening_s;
       Vec3& goal = goals.tip_position(f, touch.tip);
+      if ((share == 0 && !leaving) || (!is_known(goal) && share < 1)) continue;
       const Pose base_from_target = recorded_pose(target.object, goals.time[f]);
-      const bool in_palm = by_palm && goals.time[f] > target.object.attach_s;
-      Vec3 pad = base_from_target * touch.centre;
-      if (in_palm) {
-        pad = goal + offset;
-      } else if (is_known(goal)) {
-        offset = pad - goal;
-      }
-      if (share == 0 || (!is_known(goal) && share < 1)) continue;
+      const Vec3 pad = base_from_target * touch.centre;
       goal = share < 1 ? Vec3((1 - share) * goal + share * pad) : pad;
-      if (share < 1 && !in_palm) {
+      if (share < 1) {
         const double gap_m =
-            std::sqrt(share) * robot.pads[touch.tip].radius + 4 * share * (1 - share) * aperture_m;
+            leaving ? radius_m + (1 - share) * kLeavingGap_m
+                    : std::sqrt(share) * radius_m + 4 * share * (1 - share) * aperture_m;
         goal = base_from_target * push_outside(target, gap_m, base_from_target.inverse() * goal);
       }
       goals.tip_to_pad_share(f, touch.tip) = share;

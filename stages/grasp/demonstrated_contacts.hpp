@@ -35,8 +35,9 @@ DesiredContact limit_slide(const robot::Robot& robot, const collision::Solid& ta
 /// target by at least
 ///   sqrt(share) radius + 4 share (1 - share) aperture_m,
 /// because a finger also approaches from the side, and the hand opens around the target before it
-/// closes. Once the target is attached to the palm, the offset from tip to pad stays as it was
-/// then.
+/// closes. After the release it stays outside by at least
+///   radius + (1 - share) kLeavingGap_m,
+/// because a robot's pads are thicker than a person's, and would drag the target along.
 void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>& touches,
                    const Movement& movement, const collision::Solid& target, double aperture_m,
                    Goals& goals);

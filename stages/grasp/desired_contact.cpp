@@ -59,14 +59,17 @@ HoldInterval hold_interval(const Movement& movement) {
                         ? preshape->begin_s
                         : grasp->begin_s - kReleaseDuration_s;
   interval.release_s = transport ? transport->end_s : kInfinity;
+  const HeldInterval held = held_interval(movement);
+  interval.closed_s = std::isnan(held.begin_s) ? interval.begin_s : held.begin_s;
+  interval.opening_s = std::isnan(held.end_s) ? interval.release_s : held.end_s;
   return interval;
 }
 
 double closing_progress(const HoldInterval& hold, double time_s) {
   if (!(time_s > hold.open_s)) return 0;
-  const double closing = smoothstep((time_s - hold.open_s) / (hold.begin_s - hold.open_s));
-  return time_s <= hold.release_s ? closing
-                                  : 1 - smoothstep((time_s - hold.release_s) / kReleaseDuration_s);
+  const double closing = smoothstep((time_s - hold.open_s) / (hold.closed_s - hold.open_s));
+  return time_s <= hold.opening_s ? closing
+                                  : 1 - smoothstep((time_s - hold.opening_s) / kReleaseDuration_s);
 }
 
 }  // namespace morphe::grasp

@@ -39,12 +39,15 @@ struct HoldInterval {
   double open_s = kUnknown;
   double begin_s = kUnknown, end_s = kUnknown;
   double release_s = kUnknown;  ///< end of the last transport; infinity without one
+  /// The interval in which the pads keep still on the target: held_interval() if it is carried,
+  /// otherwise from begin_s to release_s.
+  double closed_s = kUnknown, opening_s = kUnknown;
 };
 /// Computes the hold interval of a movement from its phases.
 HoldInterval hold_interval(const Movement& movement);
 
 /// Returns the progress from free (0) to touching (1) at a time, twice differentiable: 0 until
-/// open_s, 1 from begin_s to release_s, and 0 again kReleaseDuration_s later. Always 0 without a
+/// open_s, 1 from closed_s to opening_s, and 0 again kReleaseDuration_s later. Always 0 without a
 /// hold.
 double closing_progress(const HoldInterval& hold, double time_s);
 

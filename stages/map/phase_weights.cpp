@@ -28,7 +28,9 @@ humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    double blend_s) {
   if (weights.empty()) return {};
   const auto factors_at = [&](double t) {
-    const auto listed = std::ranges::find(weights, phase_at(phases, t), &PhaseWeights::phase);
+    auto listed = std::ranges::find(weights, phase_at(phases, t), &PhaseWeights::phase);
+    if (listed == weights.end())
+      listed = std::ranges::find(weights, main_phase_at(phases, t), &PhaseWeights::phase);
     return listed == weights.end() ? humanlike::FrameWeights{} : listed->factors;
   };
   if (blend_s <= 0) return factors_at(time_s);

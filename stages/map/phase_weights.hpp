@@ -22,9 +22,10 @@ void fields(Fields& f, PhaseWeights& o) {
 /// Returns "" or the error: a phase named twice, or a negative weight.
 std::string validation_error(const std::vector<PhaseWeights>& weights);
 
-/// Returns the factors at a time; those of a phase that is not listed are 1. They are the mean over
-/// a window of the length `blend_s` about the time, weighted by 1 + cos, which is continuous from
-/// phase to phase. If blend_s <= 0, they are the factors of the phase itself.
+/// Returns the factors at a time. A lift, place, release, retreat or home that is not listed has
+/// those of the main phase at that time; those of other phases that are not listed are 1. They are
+/// the mean over a window of the length `blend_s` about the time, weighted by 1 + cos, which is
+/// continuous from phase to phase. If blend_s <= 0, they are the factors of the phase itself.
 humanlike::FrameWeights weights_at(const std::vector<PhaseWeights>& weights,
                                    const std::vector<Phase>& phases, double time_s, double blend_s);
 

@@ -27,6 +27,9 @@ inline constexpr double kMaxJointSpeed_rad_s = 100;    ///< largest full speed t
 inline constexpr double kMinBrakingSpeedRatio = 1e-3;  ///< least braking speed over velocity limit
 
 // Fit of the spline.
+/// Factor on the tolerances of smoothing while the target is held: tips that are off by 0.05 mm at
+/// most move the pads in the hand by 0.1 mm, of the 0.5 mm that are allowed.
+inline constexpr double kHeldSmoothingFactor = 0.25;
 inline constexpr int kMaxRounds = 30;            ///< fits with rising sample weights
 inline constexpr int kRoundsBeforeRelaxing = 6;  ///< later rounds also reduce roughness weights
 inline constexpr double kRoughnessReductionRatio = 0.5;  ///< per round, at samples out of tolerance

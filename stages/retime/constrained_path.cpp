@@ -59,8 +59,10 @@ double max_path_velocity(const ConstrainedPath& path, double u, const JointRows&
                          (1 + path.end_speedup * (1 - z * z * (3 - 2 * z)));
   const double velocity = std::min(1 / std::max(least_s, 1 / kMaxPathVelocity), nominal);
   if (path.phase_scale.empty()) return velocity;
-  const auto scale = path.phase_scale.find(
-      phase_at(path.movement->phases, demonstration_time_at(path.parameterized, u)));
+  const double time_s = demonstration_time_at(path.parameterized, u);
+  auto scale = path.phase_scale.find(phase_at(path.movement->phases, time_s));
+  if (scale == path.phase_scale.end())
+    scale = path.phase_scale.find(main_phase_at(path.movement->phases, time_s));
   return scale == path.phase_scale.end() ? velocity : velocity * scale->second;
 }
 

@@ -53,6 +53,19 @@ std::string limit_violation(const RobotModel& robot, const JointPath& path) {
   return "";
 }
 
+/// Returns the factors on the tolerances of smoothing: `planned_factor` where the path was planned,
+/// and kHeldSmoothingFactor while the hand holds a target that it carries, lest its pads move.
+std::vector<double> smoothing_allowance(const ParameterizedPath& path, const Movement& movement,
+                                        double planned_factor) {
+  const HeldInterval held = held_interval(movement);
+  std::vector<double> allowance;
+  for (std::size_t i = 0; i < path.origin.size(); ++i) {
+    const double factor = path.origin[i] == SampleOrigin::planned ? planned_factor : 1;
+    allowance.push_back(held.contains(path.demonstration_time[i]) ? kHeldSmoothingFactor : factor);
+  }
+  return allowance;
+}
+
 ConstrainedPath make_constrained_path(const RobotModel& robot, const JointPath& path,
                                       const Movement& movement, const RetimeOptions& options,
                                       bool keep_pauses, RetimeResult& result) {
@@ -60,11 +73,9 @@ ConstrainedPath make_constrained_path(const RobotModel& robot, const JointPath& 
   out.robot = &robot;
   out.movement = &movement;
   out.parameterized = parameterize_path(robot, path, kKnotStep_s, keep_pauses);
-  std::vector<double> allowance;
-  for (const SampleOrigin origin : out.parameterized.origin)
-    allowance.push_back(origin == SampleOrigin::planned ? options.planned_smoothing_factor : 1);
   PathFit fitted =
-      fit_path(robot, out.parameterized.parameter, out.parameterized.position, allowance,
+      fit_path(robot, out.parameterized.parameter, out.parameterized.position,
+               smoothing_allowance(out.parameterized, movement, options.planned_smoothing_factor),
                {options.smoothing_s, options.tip_tolerance, options.joint_tolerance}, kKnotStep_s);
   out.spline = std::move(fitted.spline);
   result.tip_deviation = fitted.tip_deviation;

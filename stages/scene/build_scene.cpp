@@ -67,7 +67,11 @@ Scene build_scene(const SceneOptions& options, const Demonstration& demonstratio
     table = infer_table(options.table, motion, movement);
   if (table) scene.objects.push_back(*table);
   for (const SceneObject& object : demonstration.objects) {
-    if (!object.time.empty()) scene.objects.push_back(object);
+    if (object.time.empty()) continue;
+    SceneObject& recorded = scene.objects.emplace_back(object);
+    recorded.pose_origin = ObjectOrigin::recorded;
+    if (recorded.shape_origin == ObjectOrigin::unknown)
+      recorded.shape_origin = ObjectOrigin::recorded;
   }
   const Phase* grasp = last_phase(movement, PhaseKind::grasp);
   if (!grasp) {

@@ -37,11 +37,13 @@ SceneObject configured_body(const ConfiguredObject& configured, double time_s) {
   object.time = {time_s};
   object.position = {configured.position - anchor_of(object, configured.anchor, rotation)};
   object.orientation = {rotation};
+  object.pose_origin = object.shape_origin = ObjectOrigin::configured;
   return object;
 }
 
 void set_shape(const TargetBody& body, SceneObject& object) {
   set_shape(body.shape, body.size, body.mesh, object);
+  object.shape_origin = ObjectOrigin::configured;
 }
 
 }  // namespace morphe::scene

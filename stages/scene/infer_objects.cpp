@@ -66,6 +66,7 @@ SceneObject fixed_body(std::string name, Shape shape, std::vector<double> size, 
   object.time = {time_s};
   object.position = {centre};
   object.orientation = {Quat::Identity()};
+  object.pose_origin = object.shape_origin = ObjectOrigin::inferred;
   return object;
 }
 
@@ -96,8 +97,11 @@ std::optional<SceneObject> infer_table(const TableOptions& options, const HumanM
     back += front;
   }
   const Vec3 centre((left + right) / 2, (front + back) / 2, top - options.thickness / 2);
-  return fixed_body("table", Shape::box, {right - left, back - front, options.thickness}, centre,
-                    movement.begin_s);
+  SceneObject table =
+      fixed_body(std::string(kTableName), Shape::box,
+                 {right - left, back - front, options.thickness}, centre, movement.begin_s);
+  if (options.height) table.pose_origin = ObjectOrigin::configured;
+  return table;
 }
 
 GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp) {
@@ -130,11 +134,23 @@ void set_attachment_times(const Movement& movement, const Phase& grasp, SceneObj
   target.release_s = transport ? transport->end_s : std::max(movement.end_s, grasp.end_s);
 }
 
-namespace {
+double horizontal_aperture(const GraspTips& tips) {
+  return (tips.thumb - tips.index).head<2>().norm();
+}
+
+double radius_between(const TargetOptions& options, const GraspTips& tips) {
+  return horizontal_aperture(tips) / 2 - options.pad_depth;
+}
+
+double rim_height(const TargetOptions& options, const GraspTips& tips) {
+  return std::max(tips.thumb.z(), tips.index.z()) + options.rim_margin;
+}
 
 double table_top_height(const SceneObject& table) {
   return table.position[0].z() + table.size[2] / 2;
 }
+
+namespace {
 
 /// Returns the position of the body's frame, with grasp_point below the midpoint between the tips
 /// and the lowest point at height `foot`; without that, the centre is at the midpoint's height.
@@ -169,19 +185,18 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
   const GraspTips tips = tips_at_grasp(motion, *grasp);
   if (!is_known(tips.thumb) || !is_known(tips.index)) return std::nullopt;
   if (options.body) return make_target_body(options, movement, *grasp, tips, table);
-  const double aperture = (tips.thumb - tips.index).head<2>().norm();
   const double radius = options.radius.value_or(
-      std::clamp(aperture / 2 - options.pad_depth, options.min_radius, options.max_radius));
-  const double highest = std::max(tips.thumb.z(), tips.index.z());
+      std::clamp(radius_between(options, tips), options.min_radius, options.max_radius));
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
-  const double rim = highest + options.rim_margin;
-  const bool stands = table && rim - table_top_height(*table) <= kMaxInferredHeight_m;
+  const double rim = rim_height(options, tips);
+  const bool stands = table && rim - table_top_height(*table) <= kMaxInferredExtent_m;
   const double foot = stands ? table_top_height(*table) : middle - options.height / 2;
   const double height = std::max(options.height, rim - foot);
   const Vec3 midpoint = (tips.thumb + tips.index) / 2;
   SceneObject target =
       fixed_body(options.name, Shape::cylinder, {radius, height},
                  Vec3(midpoint.x(), midpoint.y(), foot + height / 2), movement.begin_s);
+  if (options.radius) target.shape_origin = ObjectOrigin::configured;
   set_attachment_times(movement, *grasp, target);
   return target;
 }

@@ -17,9 +17,10 @@ inline constexpr double kTimeTolerance_s = 1e-9;
 std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
                                        const Movement& movement);
 
-/// Largest height of an inferred target above its table [m]: that of a bottle. What is grasped
-/// higher is not taken from the table, like a comb at the head.
-inline constexpr double kMaxInferredHeight_m = 0.3;
+/// Bounds of each extent of an inferred target [m], chosen by hand: what is thinner is pinched and
+/// does not stand by itself, and nothing taller than a bottle is held by its side. What is grasped
+/// higher above the table is not taken from it, like a comb at the head.
+inline constexpr double kMinInferredExtent_m = 0.03, kMaxInferredExtent_m = 0.3;
 
 /// The tips of thumb and index finger at a grasp, in the world [m]; NaN if not seen.
 struct GraspTips {
@@ -30,12 +31,22 @@ struct GraspTips {
 /// too, over the grasp and the preceding 0.1 s.
 GraspTips tips_at_grasp(const HumanMotion& motion, const Phase& grasp);
 
+/// Returns the horizontal distance of thumb and index [m].
+double horizontal_aperture(const GraspTips& tips);
+/// Returns the radius of a cylinder that fits between thumb and index, without bounds [m]; < 0 if
+/// they are nearer to each other than their pads are thick.
+double radius_between(const TargetOptions& options, const GraspTips& tips);
+/// Returns the height of the rim that an inferred target needs in the world [m].
+double rim_height(const TargetOptions& options, const GraspTips& tips);
+/// Returns the height of a table's top in the world [m].
+double table_top_height(const SceneObject& table);
+
 /// Sets attach_s and release_s: from the end of the grasp to the end of the last transport (or of
 /// the movement, if there is no transport).
 void set_attachment_times(const Movement& movement, const Phase& grasp, SceneObject& target);
 
 /// Infers the target: the cylinder between the tips, or options.body, placed on `table`. If that is
-/// null, or so far below that the cylinder would be higher than kMaxInferredHeight_m, the cylinder
+/// null, or so far below that the cylinder would be higher than kMaxInferredExtent_m, the cylinder
 /// is centred at the height of the tips. Returns no object if options.infer is
 /// false, the movement has no grasp, or a tip was not seen.
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,

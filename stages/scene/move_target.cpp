@@ -117,6 +117,7 @@ RelocatedMovement move_target(const SceneOptions& options, const HumanMotion& mo
   for (Vec3& position : target->position) position = shift.moved(position, 1);
   for (Quat& orientation : target->orientation)
     orientation = (shift.rotation * orientation).normalized();
+  if (options.target.pose) target->pose_origin = ObjectOrigin::configured;
 
   const std::vector<double> share = wrist_path_shares(motion, movement.begin_s, grasp->begin_s);
   int out_of_reach = 0;

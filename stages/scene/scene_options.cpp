@@ -10,6 +10,7 @@
 #include "core/motion/bounding_box.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/moveit/planning_scene.hpp"
+#include "stages/scene/infer_objects.hpp"
 #include "stages/scene/scene_schema.hpp"
 
 namespace morphe::scene {
@@ -143,9 +144,18 @@ std::string validation_error(const TableOptions& o) {
 
 std::string validation_error(const TargetOptions& o) {
   if (o.name.empty() || o.name == "table") return "name: must not be empty or 'table'";
-  if (!(o.height > 0)) return fmt::format("height: must be positive, not {}", o.height);
-  if (!(o.min_radius > 0)) return fmt::format("min_radius: must be positive, not {}", o.min_radius);
+  const auto is_likely = [](double extent_m) {
+    return extent_m >= kMinInferredExtent_m && extent_m <= kMaxInferredExtent_m;
+  };
+  const std::string bounds =
+      fmt::format("an inferred target is {} to {} m wide and tall; give another shape with body",
+                  kMinInferredExtent_m, kMaxInferredExtent_m);
+  if (!is_likely(o.height)) return fmt::format("height: {}, not {} m tall", bounds, o.height);
+  if (!is_likely(2 * o.min_radius))
+    return fmt::format("min_radius: {}, not {} m wide", bounds, 2 * o.min_radius);
   if (o.max_radius < o.min_radius) return "max_radius: must not be below min_radius";
+  if (!is_likely(2 * o.max_radius))
+    return fmt::format("max_radius: {}, not {} m wide", bounds, 2 * o.max_radius);
   if (o.radius && !(*o.radius > 0))
     return fmt::format("radius: must be positive, not {}", *o.radius);
   if (o.radius && o.body) return "radius: not allowed together with body, which has its own size";

@@ -104,6 +104,11 @@ inline constexpr double kOnsetTolerance_s = 0.2;
 /// Two intervals are the same event if they overlap by more than this share of the shorter one.
 inline constexpr double kMinOverlapShare = 0.5;
 
+// Phases of a task (task_phases.cpp), chosen by hand
+inline constexpr double kLiftHeight_m = 0.02;  ///< of a thing in the air: above noise and tilt
+inline constexpr double kReleaseDistance_m =
+    0.01;  ///< of the wrist: the hand leaves, not only opens
+
 // Movements (cycles.cpp, segment.cpp): scores, as cycles.hpp explains them
 inline constexpr int kMaxUnitsPerMovement = 12;
 inline constexpr int kTruncatedPeakFrames = 2;  ///< a peak so near to a cut may not be the unit's

@@ -15,6 +15,7 @@ constexpr double kImpossibleScore = -std::numeric_limits<double>::infinity();
 struct Evidence {
   const HandRecord& hand;
   const std::vector<MovementUnit>& units;
+  const std::vector<bool>& leaves;  ///< for the next grasp
   std::vector<ReachAperture> aperture;
   std::vector<bool> carried;  ///< true if an object is carried in the unit
   std::vector<bool> held;     ///< true if an object is held between the unit and the next
@@ -49,8 +50,12 @@ double movement_score(const Evidence& evidence, int first, int end) {
   const MovementUnit& reach = evidence.units[first];
   if (!is_reach(evidence.hand.options, reach) || (end - first < 2 && !ends_recording))
     return kImpossibleScore;
+  const auto leaves = evidence.leaves.begin();
+  if (std::find(leaves + first, leaves + end - 1, true) != leaves + end - 1)
+    return kImpossibleScore;
   const double home = return_score(evidence.hand.options, reach, evidence.units[end - 1]);
-  double sum = kMovementScore + (ends_recording ? std::max(0.0, home) : home);
+  double sum =
+      kMovementScore + (ends_recording || evidence.leaves[end - 1] ? std::max(0.0, home) : home);
   const auto carried = evidence.carried.begin();
   if (std::find(carried + first + 1, carried + end, true) != carried + end) {
     sum += kObjectMovedScore;
@@ -74,10 +79,11 @@ double movement_score(const Evidence& evidence, int first, int end) {
   return (end - first) * sum;
 }
 
-Evidence gather_evidence(const HandRecord& hand, const std::vector<MovementUnit>& units) {
+Evidence gather_evidence(const HandRecord& hand, const std::vector<MovementUnit>& units,
+                         const std::vector<bool>& leaves) {
   const HandSignals& signals = hand.signals;
   const SegmentOptions& options = hand.options;
-  Evidence evidence{hand, units, {}, {}, {}};
+  Evidence evidence{hand, units, leaves, {}, {}, {}};
   for (int k = 0; k < std::ssize(units); ++k) {
     const double next_s = k + 1 < std::ssize(units) ? units[k + 1].begin_s : signals.end_s();
     evidence.aperture.push_back(
@@ -97,9 +103,10 @@ bool is_transport(const MovementUnit& unit, const std::vector<ObjectMotion>& mot
       motions, [&](const ObjectMotion& motion) { return overlap_in_time(unit, motion); });
 }
 
-std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units) {
+std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units,
+                               const std::vector<bool>& leaves) {
   const SegmentOptions& options = hand.options;
-  const Evidence evidence = gather_evidence(hand, units);
+  const Evidence evidence = gather_evidence(hand, units, leaves);
   const int n = static_cast<int>(units.size());
   struct Split {
     double score = kImpossibleScore;  // of the units before this rest
@@ -123,7 +130,7 @@ std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<Movemen
   for (int j = n; j > 0; j = best[j].last_rest) {
     const int i = best[j].last_rest;
     if (!best[j].is_movement) continue;
-    cycles.push_back({i, j - i, return_score(options, units[i], units[j - 1]) > 0});
+    cycles.push_back({i, j - i, return_score(options, units[i], units[j - 1]) > 0, leaves[j - 1]});
   }
   std::ranges::reverse(cycles);
   return cycles;

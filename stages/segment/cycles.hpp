@@ -12,6 +12,7 @@ namespace morphe::segment {
 struct Cycle {
   int first = 0, count = 0;   ///< first unit and number of units
   bool returns_home = false;  ///< true if `home`, see find_cycles(), is positive
+  bool goes_on = false;       ///< true if the last unit leaves the object for the next grasp
 };
 
 /// Returns true if an object moves with this hand for more than half of the unit, or the unit
@@ -37,6 +38,10 @@ bool is_transport(const MovementUnit& unit, const std::vector<ObjectMotion>& mot
 /// begins inside the first. Only the last unit can be a movement alone. A reach ends at least
 /// `min_reach_distance` from its start; if the recording begins or ends inside it, its speed peak
 /// is recorded.
-std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units);
+///
+/// `leaves` are the flags of LeavingUnits: such a unit can only be the last of a movement, not
+/// alone, and `home` of that movement is at least 0, as the hand does not mean to go home.
+std::vector<Cycle> find_cycles(const HandRecord& hand, const std::vector<MovementUnit>& units,
+                               const std::vector<bool>& leaves);
 
 }  // namespace morphe::segment

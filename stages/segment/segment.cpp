@@ -14,29 +14,25 @@
 #include "stages/segment/grasp.hpp"
 #include "stages/segment/interaction.hpp"
 #include "stages/segment/movement_units.hpp"
+#include "stages/segment/next_grasp.hpp"
+#include "stages/segment/task_phases.hpp"
 
 namespace morphe::segment {
 namespace {
 
-/// Adds a phase, unless it is shorter than half a frame. Its confidence is the mean of those of its
-/// boundaries times the share of its frames in which the hand was seen.
-void add_phase(const HandSignals& signals, PhaseKind kind, double begin_s, double end_s,
-               double begin_confidence, double end_confidence, Movement& movement) {
-  if (end_s - begin_s < 0.5 * signals.step_s) return;
-  const int first = signals.frame(begin_s), end = signals.frame(end_s) + 1;
-  const auto flag = signals.seen.begin();
-  const double seen =
-      static_cast<double>(std::count(flag + first, flag + end, true)) / (end - first);
-  movement.phases.push_back({kind, begin_s, end_s, 0.5 * (begin_confidence + end_confidence) * seen,
-                             begin_confidence, end_confidence});
+/// Returns the last phase to be planned of a recording with this task.
+PhaseKind plan_until(const SegmentOptions& options, std::string_view task) {
+  const auto own = std::ranges::find_if(options.plan_until_by_task, [&](const TaskEnd& end) {
+    return contains_word(task, end.task);
+  });
+  return own == options.plan_until_by_task.end() ? options.plan_until : own->until;
 }
 
-void set_planned_interval(const SegmentOptions& options, Movement& movement) {
+void set_planned_interval(const SegmentOptions& options, std::string_view task,
+                          Movement& movement) {
   const Phase& reach = movement.phases.front();
   movement.begin_s = reach.begin_s;
-  const Phase* last = last_phase(movement, options.plan_until);
-  if (!last) last = last_phase(movement, PhaseKind::grasp);
-  if (last) {
+  if (const Phase* last = planned_end(movement, plan_until(options, task))) {
     movement.end_s = last->end_s;
     return;
   }
@@ -72,28 +68,31 @@ std::ptrdiff_t first_return(const std::vector<MovementUnit>& units,
 void add_later_phases(const HandSignals& signals, const std::vector<MovementUnit>& units,
                       std::ptrdiff_t first_back, const GraspTimes& grasp, bool comes_home,
                       Movement& movement) {
+  const auto add = [&](PhaseKind kind, double begin_s, double end_s, double begin_confidence,
+                       double end_confidence) {
+    add_phase(signals, {kind, begin_s, end_s, 1, begin_confidence, end_confidence}, movement);
+  };
   double from_s = grasp.end_s, from_confidence = grasp.end_confidence;
   for (int k = 0; k < std::ssize(units); ++k) {
     const MovementUnit& unit = units[k];
     if (unit.end_s <= from_s) continue;
-    add_phase(signals, PhaseKind::hold, from_s, unit.begin_s, from_confidence,
-              unit.begin_confidence, movement);
+    add(PhaseKind::hold, from_s, unit.begin_s, from_confidence, unit.begin_confidence);
     const PhaseKind outward = grasp.grasped ? PhaseKind::transport : PhaseKind::reach;
-    add_phase(signals, k >= first_back ? PhaseKind::return_phase : outward,
-              std::max(from_s, unit.begin_s), unit.end_s, unit.begin_confidence,
-              unit.end_confidence, movement);
+    add(k >= first_back ? PhaseKind::return_phase : outward, std::max(from_s, unit.begin_s),
+        unit.end_s, unit.begin_confidence, unit.end_confidence);
     from_s = unit.end_s;
     from_confidence = unit.end_confidence;
   }
   if (!comes_home && first_back >= std::ssize(units))
-    add_phase(signals, PhaseKind::hold, from_s, signals.end_s(), from_confidence, 0, movement);
+    add(PhaseKind::hold, from_s, signals.end_s(), from_confidence, 0);
 }
 
 /// Makes the movement of the `units` of one cycle, without index and planned interval; without
 /// phases if its reach is shorter than half a frame.
 Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
-                       const std::vector<MovementUnit>& weak, bool comes_home) {
+                       const std::vector<MovementUnit>& weak, const Cycle& cycle) {
   const HandSignals& signals = hand.signals;
+  const bool comes_home = cycle.returns_home;
   Movement movement;
   GraspTimes grasp = find_grasp(hand, units, weak, comes_home);
   if (!grasp.grasped && split_at_arrival(signals, hand.options, units)) {
@@ -102,15 +101,21 @@ Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
   }
   movement.target = grasp.object;
   const MovementUnit reach = units.front();
-  add_phase(signals, PhaseKind::reach, reach.begin_s, grasp.begin_s, reach.begin_confidence,
-            grasp.begin_confidence, movement);
+  add_phase(signals,
+            {PhaseKind::reach, reach.begin_s, grasp.begin_s, 1, reach.begin_confidence,
+             grasp.begin_confidence},
+            movement);
   if (movement.phases.empty()) return movement;
   if (grasp.grasped) {
     const double begin_s = std::clamp(grasp.aperture.preshape_s, reach.begin_s, grasp.begin_s);
-    add_phase(signals, PhaseKind::preshape, begin_s, grasp.begin_s, grasp.aperture.confidence,
-              grasp.begin_confidence, movement);
-    add_phase(signals, PhaseKind::grasp, grasp.begin_s, grasp.end_s, grasp.begin_confidence,
-              grasp.end_confidence, movement);
+    add_phase(signals,
+              {PhaseKind::preshape, begin_s, grasp.begin_s, 1, grasp.aperture.confidence,
+               grasp.begin_confidence},
+              movement);
+    add_phase(signals,
+              {PhaseKind::grasp, grasp.begin_s, grasp.end_s, 1, grasp.begin_confidence,
+               grasp.end_confidence},
+              movement);
     movement.phases.back().confidence *= grasp.probability;
   }
   units.erase(units.begin(), units.begin() + grasp.units_used);
@@ -120,6 +125,7 @@ Movement make_movement(const HandRecord& hand, std::vector<MovementUnit> units,
           ? grasp.release_unit + 1 - grasp.units_used
           : first_return(units, hand.motions, comes_home, grasp.object_moved, reach.start_position);
   add_later_phases(signals, units, back, grasp, comes_home, movement);
+  if (grasp.grasped) add_task_phases(hand, cycle.goes_on, movement);
   return movement;
 }
 
@@ -130,6 +136,25 @@ double arm_length_m(const HumanMotion& motion) {
     return kUnknown;
   return math::median_distance(motion.shoulder, motion.elbow) +
          math::median_distance(motion.elbow, motion.wrist);
+}
+
+std::string end_error(std::string_view key, PhaseKind kind) {
+  if (may_end_plan(kind)) return "";
+  std::string names;
+  for (std::size_t k = 0; k < enum_count<PhaseKind>(); ++k) {
+    const auto own = static_cast<PhaseKind>(k);
+    if (may_end_plan(own)) names += fmt::format("{}{}", names.empty() ? "" : ", ", name_of(own));
+  }
+  return fmt::format("{}: must be one of {}, not '{}'", key, names, name_of(kind));
+}
+
+std::string validation_error(const std::vector<TaskEnd>& ends) {
+  for (const TaskEnd& end : ends) {
+    if (end.task.empty()) return "plan_until_by_task: task must be a word";
+    if (const std::string error = end_error("plan_until_by_task", end.until); !error.empty())
+      return error;
+  }
+  return "";
 }
 
 std::vector<Movement> whole_recording(const HumanMotion& motion) {
@@ -171,12 +196,8 @@ std::string validation_error(const SegmentOptions& o) {
   if (o.onset_share == 0) return "onset_share: must be above 0";
   if (o.dip_share == 0) return "dip_share: must be above 0";
   if (o.min_peak_speed == 0) return "min_peak_speed: must be above 0";
-  if (o.plan_until != PhaseKind::grasp && o.plan_until != PhaseKind::transport &&
-      o.plan_until != PhaseKind::return_phase) {
-    return fmt::format("plan_until: must be grasp, transport or return, not '{}'",
-                       name_of(o.plan_until));
-  }
-  return "";
+  const std::string error = end_error("plan_until", o.plan_until);
+  return error.empty() ? validation_error(o.plan_until_by_task) : error;
 }
 
 std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& options,
@@ -197,13 +218,14 @@ std::vector<Movement> segment(const HumanMotion& motion, const SegmentOptions& o
       units.begin(), units.end(), [](const MovementUnit& unit) { return !unit.weak; });
   const std::vector<MovementUnit> weak(first_weak, units.end());
   units.erase(first_weak, units.end());
+  const LeavingUnits leaving = find_leaving_units(hand, std::move(units));
   std::vector<Movement> movements;
-  for (const Cycle& cycle : find_cycles(hand, units)) {
-    const auto begin = units.begin() + cycle.first;
-    Movement movement = make_movement(hand, {begin, begin + cycle.count}, weak, cycle.returns_home);
+  for (const Cycle& cycle : find_cycles(hand, leaving.units, leaving.leaves)) {
+    const auto begin = leaving.units.begin() + cycle.first;
+    Movement movement = make_movement(hand, {begin, begin + cycle.count}, weak, cycle);
     if (movement.phases.empty()) continue;
     movement.index = movements.empty() ? 0 : movements.back().index + 1;
-    set_planned_interval(options, movement);
+    set_planned_interval(options, task, movement);
     movements.push_back(std::move(movement));
   }
   return movements;

@@ -1,10 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/motion/movement.hpp"
 
 namespace morphe::segment {
+
+/// The last phase that is planned of recordings whose stated task contains a word.
+struct TaskEnd {
+  std::string task;  ///< the word, such as drink
+  PhaseKind until = PhaseKind::grasp;
+};
+template <class Fields>
+void fields(Fields& f, TaskEnd& o) {
+  f.required("task", o.task);
+  f.required("until", o.until);
+}
 
 /// Options of the segmentation. Speeds are those of the index tip (of the wrist if the tip is not
 /// seen) after smoothing by a Gaussian of `velocity_smoothing_s`, which is widened for noisy
@@ -35,7 +47,10 @@ struct SegmentOptions {
   bool until_grasped = false;
   /// True if the recording is one movement without phases (a gesture, which contains no reach).
   bool whole_recording = false;
-  PhaseKind plan_until = PhaseKind::grasp;  ///< last phase planned: grasp, transport or return
+  PhaseKind plan_until = PhaseKind::grasp;  ///< last phase planned, of those that may end a plan
+  std::vector<TaskEnd> plan_until_by_task;  ///< exceptions; the first that applies counts
+  /// Parts that are delivered as partial plans if a later part cannot be planned.
+  PartialPlans partial = PartialPlans::at_rest;
 };
 template <class Fields>
 void fields(Fields& f, SegmentOptions& o) {
@@ -55,6 +70,8 @@ void fields(Fields& f, SegmentOptions& o) {
   f("until_grasped", o.until_grasped);
   f("whole_recording", o.whole_recording);
   f("plan_until", o.plan_until);
+  f("plan_until_by_task", o.plan_until_by_task);
+  f("partial", o.partial);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const SegmentOptions& options);

@@ -15,10 +15,6 @@ constexpr double kMinPivotCosine = 0.7;  ///< between a rotation's axis and the 
 /// target may have left the hand.
 constexpr double kOnsetShare = 0.25;
 
-Pose palm_from_target(const physics::State& state, const ModelIds& parts) {
-  return state.body(parts.palm_body).inverse() * state.body(parts.target_body);
-}
-
 bool is_within(const Displacement& displacement, double distance_m, double angle_deg) {
   return displacement.distance_m < distance_m && displacement.angle_deg < angle_deg;
 }
@@ -83,14 +79,21 @@ void update_maximum(const Displacement& displacement, Displacement& maximum) {
   maximum.angle_deg = std::max(maximum.angle_deg, displacement.angle_deg);
 }
 
+Pose palm_from_target(const physics::State& state, const ModelIds& parts) {
+  return state.body(parts.palm_body).inverse() * state.body(parts.target_body);
+}
+
 Displacement displacement_between(const Pose& from, const Pose& to) {
   return {(to.translation() - from.translation()).norm(),
           angle_between(Quat(from.linear()), Quat(to.linear())) / kRadPerDegree};
 }
 
 HoldMonitor::HoldMonitor(const RobotModel& robot, const ModelIds& parts,
-                         const physics::State& squeezed)
-    : robot_(robot), parts_(parts), start_(palm_from_target(squeezed, parts)) {
+                         const physics::State& squeezed, bool limits_drift)
+    : robot_(robot),
+      parts_(parts),
+      limits_drift_(limits_drift),
+      start_(palm_from_target(squeezed, parts)) {
   contacts_ = target_contacts(squeezed, parts, touches_);
   const Pose base_from_palm = squeezed.body(parts.palm_body);
   grasp_axis_ = base_from_palm.linear().transpose() * grasp_axis(contacts_);
@@ -125,7 +128,7 @@ void HoldMonitor::update(const physics::State& state, bool settled, bool at_limi
     first_cause_ = classify_failure(start_, pose);
   if (!is_within(displacement, kMaxInHandDisplacement_m, kMaxInHandDisplacement_deg))
     result_.failure = contacts_.empty() ? first_cause_ : classify_failure(start_, pose);
-  else if (!is_within(result_.drift, kMaxDrift_m, kMaxDrift_deg))
+  else if (limits_drift_ && !is_within(result_.drift, kMaxDrift_m, kMaxDrift_deg))
     result_.failure = classify_failure(*settled_, pose);
 }
 

@@ -33,6 +33,8 @@ std::vector<TargetContact> target_contacts(const physics::State& state, const Mo
 /// Returns true if two of the contacts press against each other.
 bool has_opposing_contacts(const std::vector<TargetContact>& contacts);
 
+/// Returns the pose of the target in the palm's frame.
+Pose palm_from_target(const physics::State& state, const ModelIds& parts);
 /// Returns the displacement of a body between two poses.
 Displacement displacement_between(const Pose& from, const Pose& to);
 /// Raises distance and angle of `maximum` to those of a displacement.
@@ -41,7 +43,9 @@ void update_maximum(const Displacement& displacement, Displacement& maximum);
 /// Monitors a target that is to be held, from the squeezed state on.
 class HoldMonitor {
  public:
-  HoldMonitor(const RobotModel& robot, const ModelIds& parts, const physics::State& squeezed);
+  /// The motion after the droop is limited unless the target is carried about.
+  HoldMonitor(const RobotModel& robot, const ModelIds& parts, const physics::State& squeezed,
+              bool limits_drift = true);
   /// Evaluates a state. `settled` is true once the droop is over, after which the target must not
   /// move; `at_limit` is true if a finger's motor is at its torque limit.
   void update(const physics::State& state, bool settled, bool at_limit);
@@ -62,6 +66,7 @@ class HoldMonitor {
 
   const RobotModel& robot_;
   const ModelIds& parts_;
+  const bool limits_drift_;
   Pose start_;       ///< palm_from_target
   Vec3 grasp_axis_;  ///< unit, in the palm's frame
   std::vector<ContactAnchor> anchors_;

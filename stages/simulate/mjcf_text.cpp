@@ -9,6 +9,7 @@
 
 #include "core/math/rotation.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/simulate/mjcf_elements.hpp"
 
 namespace morphe::simulate {
 namespace {
@@ -18,64 +19,9 @@ void add(std::string& text, fmt::format_string<Values...> format, Values&&... va
   fmt::format_to(std::back_inserter(text), format, std::forward<Values>(values)...);
 }
 
-std::string numbers(const Vec3& v) {
-  return fmt::format("{:.17g} {:.17g} {:.17g}", v.x(), v.y(), v.z());
-}
-
-std::string pose_attributes(const Pose& pose) {
-  const Quat q(pose.linear());
-  return fmt::format("pos=\"{}\" quat=\"{:.17g} {:.17g} {:.17g} {:.17g}\"",
-                     numbers(pose.translation()), q.w(), q.x(), q.y(), q.z());
-}
-
-std::string inertial(const Inertia& body) {
-  const Eigen::Matrix3d& i = body.inertia_at_com;
-  return fmt::format(
-      "<inertial pos=\"{}\" mass=\"{:.17g}\" fullinertia=\"{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} "
-      "{:.17g}\"/>\n",
-      numbers(body.centre_of_mass), body.mass, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2),
-      i(1, 2));
-}
-
-/// Contacts are taken only from the list of pairs, masses only from <inertial>.
-constexpr const char* kGeomAttributes = "contype=\"0\" conaffinity=\"0\" mass=\"0\"";
-
 /// If a cylinder's axis is normal to a plane except for rounding errors, MuJoCo 2.2.2 computes its
 /// lowest point from these errors, and may find no contact. A slightly tilted plane avoids this.
 constexpr double kSupportTilt_rad = 1e-6;
-
-std::string capsule_geom(const RobotModel::Capsule& capsule, int k) {
-  if ((capsule.to - capsule.from).norm() < 1e-9)
-    return fmt::format("<geom name=\"c{}\" type=\"sphere\" size=\"{:.17g}\" pos=\"{}\" {}/>\n", k,
-                       capsule.radius, numbers(capsule.from), kGeomAttributes);
-  return fmt::format("<geom name=\"c{}\" type=\"capsule\" size=\"{:.17g}\" fromto=\"{} {}\" {}/>\n",
-                     k, capsule.radius, numbers(capsule.from), numbers(capsule.to),
-                     kGeomAttributes);
-}
-
-std::string object_geom(const SceneObject& object, const std::string& name, const Pose& pose) {
-  const std::vector<double>& s = object.size;
-  std::string shape;
-  switch (object.shape) {
-    case Shape::sphere:
-      shape = fmt::format("type=\"sphere\" size=\"{:.17g}\"", s[0]);
-      break;
-    case Shape::box:
-      shape = fmt::format("type=\"box\" size=\"{}\"", numbers(0.5 * Vec3(s[0], s[1], s[2])));
-      break;
-    case Shape::cylinder:
-      shape = fmt::format("type=\"cylinder\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
-      break;
-    case Shape::capsule:
-      shape = fmt::format("type=\"capsule\" size=\"{:.17g} {:.17g}\"", s[0], 0.5 * s[1]);
-      break;
-    case Shape::mesh:
-      shape = fmt::format("type=\"mesh\" mesh=\"{}\"", name);
-      break;
-  }
-  return fmt::format("<geom name=\"{}\" {} {} {}/>\n", name, shape, pose_attributes(pose),
-                     kGeomAttributes);
-}
 
 class Writer {
  public:
@@ -167,9 +113,15 @@ class Writer {
     if (!with_environment_) return;
     for (int k = 0; k < std::ssize(objects_); ++k) {
       if (!is_static_obstacle(world_, k)) continue;
-      const Pose pose = recorded_pose(objects_[k], objects_[k].time.front());
+      Pose pose = recorded_pose(objects_[k], objects_[k].time.front());
+      if (world_.support && world_.support->object == k)
+        pose.translation() += world_.support->raise_m * world_.up;
       text_ += object_geom(objects_[k], name_of_object(k), pose);
     }
+    if (!world_.support) plane();
+  }
+
+  void plane() {
     Pose plane =
         make_pose(Vec3::Zero(), math::shortest_rotation(Vec3::UnitZ(), world_.up) *
                                     Quat(Eigen::AngleAxisd(kSupportTilt_rad, Vec3::UnitX())));
@@ -184,6 +136,9 @@ class Writer {
         pose_attributes(variation_.base_from_target));
     text_ += inertial(target_inertia(target_object(), variation_.mass_kg));
     text_ += object_geom(target_object(), "target", Pose::Identity());
+    for (int k = 0; k < foot_count(); ++k)
+      add(text_, "<geom name=\"t{}\" type=\"sphere\" size=\"{}\" pos=\"{}\" {}/>\n", k,
+          kFootRadius_m, numbers(world_.feet[k]), kGeomAttributes);
     add(text_, "</body>\n");
   }
 
@@ -212,12 +167,19 @@ class Writer {
         if (is_static_obstacle(world_, object))
           pair(name_of_object(object), capsule, kSupportFriction);
     }
-    const SceneObject* const table = find_object(objects_, "table");
-    for (int k = 0; with_environment_ && k < std::ssize(objects_); ++k)
-      if (is_static_obstacle(world_, k) && &objects_[k] != table)
-        pair(name_of_object(k), "target", kSupportFriction);
-    if (with_environment_) pair("support", "target", kSupportFriction);
+    if (with_environment_) contacts_with_surroundings();
     add(text_, "</contact>\n");
+  }
+
+  void contacts_with_surroundings() {
+    const SceneObject* const table = find_object(objects_, "table");
+    for (int k = 0; k < std::ssize(objects_); ++k) {
+      if (!is_static_obstacle(world_, k) || (!world_.support && &objects_[k] == table)) continue;
+      pair(name_of_object(k), "target", kSupportFriction);
+      for (int foot = 0; foot < foot_count(); ++foot)
+        pair(name_of_object(k), fmt::format("t{}", foot), kSupportFriction);
+    }
+    if (!world_.support) pair("support", "target", kSupportFriction);
   }
 
   bool may_collide(int first, int second) const {
@@ -266,6 +228,9 @@ class Writer {
     add(text_, "</actuator>\n");
   }
 
+  int foot_count() const {
+    return with_environment_ && world_.support ? static_cast<int>(world_.feet.size()) : 0;
+  }
   const SceneObject& target_object() const { return objects_[world_.target]; }
   std::string name_of_object(int k) const { return fmt::format("o{}", k); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "stages/simulate/inertias.hpp"
 #include "stages/simulate/options.hpp"
 #include "stages/simulate/servos.hpp"
+#include "stages/simulate/support.hpp"
 
 namespace morphe::simulate {
 
@@ -26,6 +28,8 @@ struct SimulatedWorld {
   int target = -1;  ///< index in scene->objects
   Vec3 up = Vec3::UnitZ();
   bool lifts_base = false;  ///< true for a hand without an arm, whose base slides along `up`
+  std::optional<Support> support{};  ///< absent: a plane through the target's lowest point
+  std::vector<Vec3> feet{};          ///< of the target, in its frame; used if it has a support
 };
 
 /// The surroundings of target and hand: support, static obstacles and gravity (scene), or no such
@@ -40,13 +44,14 @@ bool is_static_obstacle(const SimulatedWorld& world, std::ptrdiff_t object);
 /// Returns the model as MJCF, every number with 17 digits. Names: frame k is body and joint "f<k>"
 /// (whose value is ratio * q + offset), joint j has the motor "m<j>", capsule k is geom "c<k>",
 /// object k "o<k>"; "target" is body and geom; "base" is body, joint and motor of a base that is
-/// lifted; "support" is the plane normal to `up` through the target's lowest point.
+/// lifted; "support" is the plane normal to `up` through the target's lowest point, unless the
+/// target stands on an object. In that case foot k of the target is the geom "t<k>".
 /// Contacts are listed pair by pair, because unlisted pairs would take the larger of two friction
 /// values. Listed are:
-///   the target with every capsule, with the support and with every static obstacle except "table",
-///   which the support replaces;
-///   the hand's capsules with each other, unless their collision is allowed;
-///   the hand's capsules with every static obstacle.
+///   the target with every capsule and every static obstacle, except "table" if a plane replaces
+///   it; the target with this plane, or its feet with every static obstacle; the hand's capsules
+///   with each other, unless their collision is allowed; the hand's capsules with every static
+///   obstacle.
 std::string mjcf_text(const SimulatedWorld& world, const Variation& variation,
                       const SimulateOptions& options, Environment environment);
 

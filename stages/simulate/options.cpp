@@ -37,19 +37,24 @@ std::string text_of(const SimulateOptions& options) {
 }
 
 std::vector<std::string> assumptions(const SimulateOptions& o) {
-  return {fmt::format("links are solid, with the volume of their capsules and {:g} kg/m^3; the "
-                      "target is solid, with {:g} kg",
-                      o.density, o.mass_kg),
-          fmt::format("the motors compensate gravity and the robot's own dynamics; each arm joint "
-                      "has the servo of the PA10 joint at the same position in the arm, finger "
-                      "joints have {:g} N m/rad and at most {:g} N m{}",
-                      o.hand_stiffness, o.hand_torque_limit,
-                      o.servos.empty() ? "" : ", unless the file of servos gives other values"),
-          fmt::format("the hand squeezes as planned; if the plan has no squeeze, the thumb presses "
-                      "with {:g} N where its tip touches the target, and the other fingers with "
-                      "goals press with shares of it",
-                      o.force_N),
-          "the target rests on a plane through its lowest point"};
+  return {
+      fmt::format("links are solid, with the volume of their capsules and {:g} kg/m^3; the "
+                  "target is solid, with {:g} kg",
+                  o.density, o.mass_kg),
+      fmt::format("the motors compensate gravity and the robot's own dynamics, not the target's; "
+                  "each arm joint "
+                  "has the servo of the PA10 joint at the same position in the arm, finger "
+                  "joints have {:g} N m/rad and at most {:g} N m{}",
+                  o.hand_stiffness, o.hand_torque_limit,
+                  o.servos.empty() ? "" : ", unless the file of servos gives other values"),
+      fmt::format("the hand squeezes as planned; if the plan has no squeeze, the thumb presses "
+                  "with {:g} N where its tip touches the target, and the other fingers with "
+                  "goals press with shares of it",
+                  o.force_N),
+      "the target rests on a plane through its lowest point; one that is carried, on the object "
+      "below it",
+      "a plan that carries its target is executed to its end, and the squeeze is added to its "
+      "motion until the release; its clock stops while the hand squeezes and lets go"};
 }
 
 }  // namespace morphe::simulate

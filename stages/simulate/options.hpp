@@ -105,6 +105,21 @@ inline constexpr double kMaxDrift_m = 0.001, kMaxDrift_deg = 1;  ///< while the 
 /// Limits of the displacement from the squeezed state, in the palm's frame.
 inline constexpr double kMaxInHandDisplacement_m = 0.02, kMaxInHandDisplacement_deg = 25;
 
+// The protocol for a plan that carries its target.
+/// The trajectory's clock starts and stops within this time. Chosen by hand: the cups of the
+/// shipped drinks move at 0.05 to 0.1 m/s at the end of the grasp and at the release, arm joints at
+/// up to 1 rad/s. A stop within one step would be a blow.
+inline constexpr double kClockRamp_s = 0.2;
+inline constexpr double kStandTime_s = 1;  ///< after the trajectory, as long as kDroopTime_s
+/// Limits of the target's pose after it was put down. Chosen by hand: the cups of the shipped
+/// drinks are tilted by 0.9 to 5.5 degrees at their planned release; one that falls over turns
+/// by 90.
+inline constexpr double kMaxPlaceError_m = 0.01, kMaxTilt_deg = 10;
+/// Share of the planned rise that the target must reach to count as lifted. Chosen by hand: fingers
+/// that yield by kMaxInHandDisplacement_m must not decide alone, and a target left behind has 0.
+inline constexpr double kMinRiseShare = 0.5;
+inline constexpr double kLoadInterval_s = 0.1;  ///< between the loads of the force prediction
+
 // The ensemble's variations.
 inline constexpr double kVariationShare = 0.2;  ///< share of friction, torsion and mass
 inline constexpr double kTargetShift_m = 0.002, kTargetTurn_deg = 2;

@@ -9,11 +9,15 @@
 
 #include "core/collision/distance.hpp"
 #include "core/collision/mesh_solid.hpp"
+#include "core/motion/assumption_text.hpp"
 #include "core/robot/forward_kinematics.hpp"
 #include "stages/simulate/plan_lift.hpp"
 
 namespace morphe::simulate {
 namespace {
+
+/// Smaller changes of a support's height are not noted.
+constexpr double kMinNotedRaise_m = 1e-4;
 
 bool is_increasing(const std::vector<double>& t) {
   return std::ranges::adjacent_find(t, [](double a, double b) { return !(a < b); }) == t.end();
@@ -83,6 +87,62 @@ double planned_contact_s(const robot::Robot& robot, const Plan& plan, const Scen
   return time[last] - time.front();
 }
 
+/// Returns the time of the simulation at which a trajectory's clock has reached a time.
+double simulated_time_s(const ServoCommands& program, double trajectory_s, double step_s) {
+  const auto after = std::ranges::find_if(program.trajectory_s,
+                                          [&](double t) { return t >= trajectory_s - 1e-9; });
+  const auto steps = after - program.trajectory_s.begin();
+  return steps == 0 ? trajectory_s : static_cast<double>(steps + 1) * step_s;
+}
+
+/// Plans the lift for a plan without a task.
+void prepare_lift(const Plan& plan, const SimulateOptions& options, PreparationResult& prepared) {
+  PreparedPlan& ready = prepared.plan;
+  const robot::Robot& robot = *ready.robot;
+  const Eigen::Index rows = std::lround(kLiftTime_s / options.step_s);
+  ready.world.lifts_base = robot.arm_joints.empty();
+  if (ready.world.lifts_base) prepared.notes.push_back("a hand without an arm: its base is lifted");
+  const std::optional<JointRows> lifting =
+      ready.world.lifts_base
+          ? JointRows(ready.squeeze.closed_posture.transpose().replicate(rows, 1))
+          : plan_lift(robot, ready.squeeze.closed_posture, ready.world.up, kLiftHeight_m, rows);
+  if (!lifting) {
+    prepared.skip_reason = SkipReason::lift_infeasible;
+    prepared.detail =
+        fmt::format("the arm cannot lift the palm by {:g} mm from the grasp", 1e3 * kLiftHeight_m);
+    return;
+  }
+  ready.program = lift_commands(plan, ready.world.servos, ready.squeeze, *lifting, options.step_s);
+}
+
+/// Puts the target of a plan with a task on the object that supports it, and writes the commands.
+void prepare_task(const Plan& plan, const SimulateOptions& options, PreparationResult& prepared) {
+  PreparedPlan& ready = prepared.plan;
+  SimulatedWorld& world = ready.world;
+  std::vector<int> resting;
+  for (int k = 0; k < std::ssize(plan.scene.objects); ++k)
+    if (is_static_obstacle(world, k)) resting.push_back(k);
+  world.support = find_support(plan.scene, world.target, resting, ready.base_from_target, world.up);
+  if (!world.support) {
+    prepared.notes.push_back(
+        "the target stands on no resting object of the scene: an endless plane through its lowest "
+        "point supports it, at its planned place too");
+  } else {
+    for (const Pose& pose : {ready.base_from_target, ready.task->base_from_placed})
+      for (const Vec3& foot :
+           foot_points(plan.scene.objects[world.target], pose.linear().transpose() * world.up))
+        world.feet.push_back(foot);
+    if (std::abs(world.support->raise_m) > kMinNotedRaise_m)
+      prepared.notes.push_back(fmt::format(
+          "{} is raised by {:.1f} mm, to the target's lowest point",
+          plan.scene.objects[world.support->object].name, 1e3 * world.support->raise_m));
+  }
+  if (!ready.task->lets_go)
+    prepared.notes.push_back("the plan ends before the hand lets go of the target");
+  ready.program =
+      task_commands(plan, *ready.task, ready.world.servos, ready.squeeze, options.step_s);
+}
+
 }  // namespace
 
 PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
@@ -99,10 +159,15 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
   }
   if (target.shape == Shape::mesh)
     prepared.notes.push_back("the target's mesh is replaced by its convex hull, solid");
+  for (const Assumption& each : object_assumptions(plan)) {
+    if (each.kind == AssumptionKind::inferred && each.subject == name_of(Knowable::target))
+      prepared.notes.push_back("inferred, not recorded: " + each.value);
+  }
 
   PreparedPlan& ready = prepared.plan;
   ready.robot = &robot;
   ready.base_from_target = plan.grasp.base_from_object;
+  ready.palm_from_target = plan.grasp.object_from_palm.inverse();
   ready.world = {&robot,
                  servos_of(robot, options),
                  robot_inertias(robot, options.density),
@@ -133,22 +198,14 @@ PreparationResult prepare(const robot::Robot& robot, const Plan& plan,
             : "the plan has no squeeze: fingers with goals close and press");
   }
   ready.squeeze = std::move(*squeeze);
-  const Eigen::Index rows = std::lround(kLiftTime_s / options.step_s);
-  ready.world.lifts_base = robot.arm_joints.empty();
-  if (ready.world.lifts_base) prepared.notes.push_back("a hand without an arm: its base is lifted");
-  const std::optional<JointRows> lifting =
-      ready.world.lifts_base
-          ? JointRows(ready.squeeze.closed_posture.transpose().replicate(rows, 1))
-          : plan_lift(robot, ready.squeeze.closed_posture, ready.world.up, kLiftHeight_m, rows);
-  if (!lifting) {
-    prepared.skip_reason = SkipReason::lift_infeasible;
-    prepared.detail =
-        fmt::format("the arm cannot lift the palm by {:g} mm from the grasp", 1e3 * kLiftHeight_m);
-    return prepared;
-  }
-  ready.program =
-      make_servo_commands(robot, plan, ready.world.servos, ready.squeeze, *lifting, options.step_s);
-  ready.planned_contact_s = planned_contact_s(robot, plan, target);
+  ready.task = planned_task(robot, plan, last_tracked_sample(plan), ready.world.up);
+  if (ready.task)
+    prepare_task(plan, options, prepared);
+  else
+    prepare_lift(plan, options, prepared);
+  if (prepared.skip_reason == SkipReason::none)
+    ready.planned_contact_s =
+        simulated_time_s(ready.program, planned_contact_s(robot, plan, target), options.step_s);
   return prepared;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/robot/robot.hpp"
 #include "stages/simulate/grasp_command.hpp"
 #include "stages/simulate/mjcf_text.hpp"
@@ -13,8 +15,9 @@ struct PreparedPlan {
   SimulatedWorld world;
   GraspCommand squeeze;
   ServoCommands program;
-  Pose base_from_target = Pose::Identity();
-  double planned_contact_s = 0;  ///< Rollout::contact_s if the robot followed the plan exactly
+  Pose base_from_target = Pose::Identity(), palm_from_target = Pose::Identity();  ///< as planned
+  std::optional<PlannedTask> task;  ///< absent: the target is lifted and held
+  double planned_contact_s = 0;     ///< Rollout::contact_s if the robot followed the plan exactly
 };
 
 }  // namespace morphe::simulate

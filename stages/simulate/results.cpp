@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "morphe-simulation";
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 /// Reads a force [N]; null stands for infinity, for loads that no squeeze supports.
@@ -42,6 +42,30 @@ Displacement displacement_at(const Json& json, const char* key) {
 template <class Enum>
 Enum enum_at(const Json& json, const char* key) {
   return enum_from_name<Enum>(json.at(key).get<std::string>()).value();
+}
+
+/// Values that were not measured are null.
+Json json_of(const TaskResult& task) {
+  const auto measured = [](const Displacement& d) {
+    return Json{{"m", number(d.distance_m)}, {"deg", number(d.angle_deg)}};
+  };
+  return {{"failure", name_of(task.failure)},
+          {"rise_m", number(task.rise_m)},
+          {"palm_offset", measured(task.palm_offset)},
+          {"arm_error", number(task.arm_error)},
+          {"carried_error", measured(task.carried_error)},
+          {"place_error", measured(task.place_error)},
+          {"tilt_deg", number(task.tilt_deg)},
+          {"standing_motion", measured(task.standing_motion)}};
+}
+
+TaskResult task_result_of(const Json& json) {
+  const auto measured = [&](const char* key) {
+    return Displacement{value_of(json.at(key).at("m")), value_of(json.at(key).at("deg"))};
+  };
+  return {enum_at<Failure>(json, "failure"), value_of(json.at("rise_m")), measured("palm_offset"),
+          value_of(json.at("arm_error")),    measured("carried_error"),   measured("place_error"),
+          value_of(json.at("tilt_deg")),     measured("standing_motion")};
 }
 
 Json json_of(const HoldResult& hold) {
@@ -100,6 +124,7 @@ Json json_of(const Rollout& rollout) {
           {"required_force_gravity_N", number(rollout.required_force_gravity_N)},
           {"measured_force_N", rollout.measured_force_N},
           {"lift", json_of(rollout.lift)},
+          {"task", rollout.task ? json_of(*rollout.task) : Json(nullptr)},
           {"load_directions", directions}};
 }
 
@@ -117,6 +142,7 @@ Rollout rollout_of(const Json& json) {
   rollout.required_force_gravity_N = newtons_of(json.at("required_force_gravity_N"));
   rollout.measured_force_N = json.at("measured_force_N").get<std::vector<double>>();
   rollout.lift = hold_result_of(json.at("lift"));
+  if (!json.at("task").is_null()) rollout.task = task_result_of(json.at("task"));
   for (const Json& hold : json.at("load_directions"))
     rollout.load_directions.push_back(hold_result_of(hold));
   return rollout;
@@ -140,18 +166,6 @@ PlanResult result_of(const Json& json) {
   result.planned_contact_s = value_of(json.at("planned_contact_s"));
   for (const Json& rollout : json.at("rollouts")) result.rollouts.push_back(rollout_of(rollout));
   return result;
-}
-
-double max_or_zero(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::ranges::max_element(values);
-}
-
-/// Returns the text quoted if necessary (RFC 4180).
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
 }
 
 }  // namespace
@@ -219,45 +233,6 @@ StoredResult load_result(const std::filesystem::path& file) {
     throw InputError(
         fmt::format("{}: is not a result of morphe simulate: {}", file.string(), error.what()));
   }
-}
-
-std::string csv_header() {
-  return "plan,rollout,held,failure,friction,torsional_friction_m,mass_kg,arm_error_deg,"
-         "hand_error_deg,contact_s,planned_contact_s,pregrasp_displacement_m,"
-         "pregrasp_displacement_deg,droop_m,droop_deg,slip_m,drift_m,drift_deg,"
-         "in_hand_displacement_m,in_hand_displacement_deg,torque_ratio,contact_source,"
-         "required_force_worst_N,required_force_gravity_N,required_force_lift_N,"
-         "commanded_force_N,measured_force_N,predicted_held,load_directions\n";
-}
-
-std::string csv_rows(const PlanResult& result) {
-  std::string rows;
-  const std::string plan = csv_cell(result.plan);
-  for (int k = 0; k < std::ssize(result.rollouts); ++k) {
-    const Rollout& one = result.rollouts[k];
-    const HoldResult& lift = one.lift;
-    std::string directions;
-    for (const HoldResult& hold : one.load_directions)
-      directions += fmt::format("{}{}", directions.empty() ? "" : " ", name_of(hold.failure));
-    fmt::format_to(
-        std::back_inserter(rows),
-        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},"
-        "{}\n",
-        plan, k, lift.is_held() ? 1 : 0, name_of(lift.failure), one.variation.friction,
-        one.variation.torsional_friction_m, one.variation.mass_kg, one.arm_error, one.hand_error,
-        one.contact_s, result.planned_contact_s, one.pregrasp_displacement.distance_m,
-        one.pregrasp_displacement.angle_deg, lift.droop.distance_m, lift.droop.angle_deg,
-        lift.slip_m, lift.drift.distance_m, lift.drift.angle_deg,
-        lift.in_hand_displacement.distance_m, lift.in_hand_displacement.angle_deg, one.torque_ratio,
-        name_of(result.contact_source), one.required_force_worst_N, one.required_force_gravity_N,
-        lift.required_force_N, one.commanded_force_N, max_or_zero(one.measured_force_N),
-        one.predicts_hold(lift) ? 1 : 0, directions);
-  }
-  if (result.rollouts.empty()) {
-    // An empty cell for each column but plan, rollout, held and failure.
-    rows = fmt::format("{},,0,{}{}\n", plan, name_of(result.skip_reason), std::string(25, ','));
-  }
-  return rows;
 }
 
 }  // namespace morphe::simulate

@@ -6,121 +6,19 @@
 
 #include "core/physics/state.hpp"
 #include "core/robot/tree.hpp"
+#include "stages/simulate/execute_task.hpp"
 #include "stages/simulate/force_prediction.hpp"
-#include "stages/simulate/hold_monitor.hpp"
-#include "stages/simulate/plan_lift.hpp"
+#include "stages/simulate/simulation.hpp"
 
 namespace morphe::simulate {
 namespace {
 
-constexpr int kMonitorIntervalSteps = 5;  ///< between two evaluations of the target
-/// Share of a motor's torque limit from which it counts as at the limit.
-constexpr double kTorqueLimitRatio = 0.999;
-
-/// Returns the height of a hand's base, along the same curve as the palm's in plan_lift().
-double base_height(const ServoCommands& program, Eigen::Index row) {
-  const double progress = static_cast<double>(row + 1 - program.grasp_end) /
-                          static_cast<double>(program.lift_end - program.grasp_end);
-  return kLiftHeight_m * minimum_jerk(std::clamp(progress, 0.0, 1.0));
-}
-class Simulation {
- public:
-  Simulation(const PreparedPlan& plan, const Variation& variation, const SimulateOptions& options,
-             Environment environment)
-      : plan_(plan),
-        model_(mjcf_text(plan.world, variation, options, environment)),
-        parts_(model_, *plan.robot, plan.world.lifts_base),
-        state_(model_),
-        motor_frames_(motor_frames(*plan.robot)) {}
-
-  void start() {
-    const RobotModel& robot = *plan_.robot;
-    for (int f = 0; f < std::ssize(robot.frames); ++f) {
-      const RobotModel::Frame& frame = robot.frames[f];
-      if (frame.joint >= 0)
-        state_.set_joint(parts_.joints[f],
-                         frame.ratio * plan_.program.start[frame.joint] + frame.offset);
-    }
-    state_.update_poses();
-  }
-
-  std::optional<std::string> step(Eigen::Index row) {
-    for (int j = 0; j < std::ssize(parts_.motors); ++j) {
-      const RobotModel::Frame& motor = motor_of(j);
-      state_.set_control(parts_.motors[j],
-                         motor.ratio * plan_.program.control(row, j) + motor.offset);
-    }
-    set_feedforward_acceleration(row);
-    if (parts_.base_motor >= 0)
-      state_.set_control(parts_.base_motor, base_height(plan_.program, row));
-    std::optional<std::string> problem = state_.step();
-    if (!problem) update_torque_ratio();
-    return problem;
-  }
-
-  double position(int joint) const {
-    const RobotModel::Frame& motor = motor_of(joint);
-    return (state_.joint(parts_.joints[motor_frames_[joint]]) - motor.offset) / motor.ratio;
-  }
-
-  Pose target() const { return state_.body(parts_.target_body); }
-  physics::State& state() { return state_; }
-  const ModelIds& parts() const { return parts_; }
-  double torque_ratio() const { return torque_ratio_; }
-  bool finger_at_limit() const { return finger_at_limit_; }
-  const RobotModel::Frame& motor_of(int joint) const {
-    return plan_.robot->frames[motor_frames_[joint]];
-  }
-
- private:
-  void set_feedforward_acceleration(Eigen::Index row) {
-    if (row > plan_.program.tracking_end) return;  // targets remain constant once set
-    const RobotModel& robot = *plan_.robot;
-    for (int f = 0; f < std::ssize(robot.frames); ++f) {
-      const RobotModel::Frame& frame = robot.frames[f];
-      if (frame.joint < 0) continue;
-      const double joint =
-          row < plan_.program.tracking_end ? plan_.program.acceleration(row, frame.joint) : 0;
-      state_.set_acceleration(parts_.joints[f], frame.ratio * joint);
-    }
-  }
-
-  void update_torque_ratio() {
-    finger_at_limit_ = false;
-    for (int j = 0; j < std::ssize(parts_.motors); ++j) {
-      const int motor = parts_.motors[j];
-      const double limit = plan_.world.servos[j].torque_limit;
-      torque_ratio_ = std::max(torque_ratio_, std::abs(state_.applied_force(motor)) / limit);
-      if (std::ranges::count(plan_.robot->arm_joints, j) > 0) continue;
-      if (std::abs(state_.commanded_force(motor)) >= kTorqueLimitRatio * limit)
-        finger_at_limit_ = true;
-    }
-  }
-
-  const PreparedPlan& plan_;
-  physics::Model model_;
-  ModelIds parts_;
-  physics::State state_;
-  std::vector<int> motor_frames_;
-  double torque_ratio_ = 0;
-  bool finger_at_limit_ = false;
-};
-
-HoldResult engine_failure(const std::string& message) {
-  HoldResult result;
-  result.failure = Failure::engine_error;
-  result.detail = message;
-  return result;
-}
 void update_tracking_error(const PreparedPlan& plan, const Simulation& simulation, Eigen::Index row,
                            Rollout& rollout) {
   for (int j = 0; j < plan.program.reference.cols(); ++j) {
-    const bool slides = simulation.motor_of(j).prismatic;
-    const double error = std::abs(simulation.position(j) - plan.program.reference(row, j)) *
-                         (slides ? 1000 : 1 / kRadPerDegree);
     const bool of_arm = std::ranges::count(plan.robot->arm_joints, j) > 0;
     double& max_error = of_arm ? rollout.arm_error : rollout.hand_error;
-    max_error = std::max(max_error, error);
+    max_error = std::max(max_error, simulation.tracking_error(j, row));
   }
 }
 std::vector<double> measured_forces(const PreparedPlan& plan,
@@ -250,13 +148,17 @@ Rollout roll_out(const PreparedPlan& plan, const Variation& variation,
     simulation.start();
     const bool holds = execute_grasp(plan, options, simulation, rollout);
     const physics::Snapshot squeezed = simulation.state().snapshot();
-    if (holds) rollout.lift = lift_and_hold(plan, options, simulation);
+    if (holds && plan.task)
+      execute_task(plan, options, simulation, rollout);
+    else if (holds)
+      rollout.lift = lift_and_hold(plan, options, simulation);
     rollout.torque_ratio = simulation.torque_ratio();
     if (holds && directions)
       rollout.load_directions = test_six_directions(plan, variation, options, squeezed);
   } catch (const physics::EngineError& error) {
     rollout.lift = engine_failure(error.what());
   }
+  if (plan.task && !rollout.task) rollout.task = TaskResult{rollout.lift.failure};
   add_required_forces(plan, rollout);
   return rollout;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "stages/simulate/hold_result.hpp"
@@ -17,12 +18,13 @@ struct Rollout {
   /// commanded force, and those required by statics (force_prediction.hpp)
   double commanded_force_N = 0, required_force_gravity_N = 0, required_force_worst_N = 0;
   std::vector<double> measured_force_N;  ///< [finger_forces] on the tip's link in the squeeze
-  HoldResult lift;
+  HoldResult lift;  ///< of lifting and holding; with a task, of carrying until the release
+  std::optional<TaskResult> task;  ///< if the plan carries its target
   std::vector<HoldResult>
       load_directions;  ///< along the target's -x, x, -y, y, -z, z; may be empty
-  /// Returns true if the commanded squeeze should support the load.
-  bool predicts_hold(const HoldResult& load) const {
-    return load.required_force_N <= commanded_force_N;
+  /// Returns the forecast for a load.
+  Forecast forecast(const HoldResult& load) const {
+    return forecast_of(load.required_force_N, commanded_force_N);
   }
 };
 

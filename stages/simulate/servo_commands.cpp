@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/quintic.hpp"
 #include "stages/simulate/options.hpp"
 #include "stages/simulate/plan_lift.hpp"
+#include "stages/simulate/trajectory_curve.hpp"
+#include "stages/simulate/written_clock.hpp"
 
 namespace morphe::simulate {
 namespace {
@@ -19,45 +20,125 @@ JointVector with_velocity_lead(const JointVector& position, const JointVector& v
   for (int j = 0; j < target.size(); ++j) target[j] += servos[j].lead_s * velocity[j];
   return target;
 }
+/// Returns the progress of a part of `steps` steps that begins at step `from`, after step `row`.
+double progress_after(Eigen::Index row, Eigen::Index from, Eigen::Index steps) {
+  const double s = static_cast<double>(row + 1 - from) / static_cast<double>(steps);
+  return minimum_jerk(std::clamp(s, 0.0, 1.0));
+}
 
-/// Evaluates the quintics of the planned trajectory; the time must not decrease between calls.
-class Curve {
+/// Appends the parts of a program one after the other.
+class CommandWriter {
  public:
-  Curve(const Trajectory& trajectory, Eigen::Index last) : trajectory_(trajectory), last_(last) {}
+  CommandWriter(const Plan& plan, Eigen::Index last_sample, const std::vector<Servo>& servos,
+                const GraspCommand& squeeze, double step_s)
+      : servos_(servos),
+        squeeze_(squeeze),
+        step_s_(step_s),
+        curve_(plan.trajectory, last_sample),
+        open_(plan.trajectory.position.row(last_tracked_sample(plan)).transpose()) {
+    program_.start = plan.trajectory.position.row(0).transpose();
+  }
 
-  void move_to(double since_start_s) {
-    const std::vector<double>& time = trajectory_.time;
-    const double time_s = std::min(time.front() + since_start_s, time[last_]);
-    while (sample_ + 2 <= last_ && time[sample_ + 1] <= time_s) ++sample_;
-    since_sample_s_ = time_s - time[sample_];
+  /// Follows the trajectory, with `offset` added to the servo targets. Targets are for the begin of
+  /// a step, references for its end.
+  void follow(const WrittenClock& clock, const JointVector& offset) {
+    const Eigen::Index from = begin_part(steps_in(clock.duration_s(), step_s_));
+    for (Eigen::Index row = from; row < steps(); ++row) {
+      const ClockReading now = clock.at(static_cast<double>(row - from) * step_s_);
+      curve_.move_to(now.time_s);
+      const JointVector velocity = curve_.derivative(1);
+      program_.control.row(row) =
+          (with_velocity_lead(curve_.derivative(0), now.rate * velocity, servos_) + offset)
+              .transpose();
+      program_.acceleration.row(row) =
+          (now.rate * now.rate * curve_.derivative(2) + now.rate_slope * velocity).transpose();
+      const double after_s = std::min(static_cast<double>(row + 1 - from) * step_s_,
+                                      std::max(clock.duration_s(), 0.0));
+      program_.trajectory_s.push_back(clock.at(after_s).time_s);
+      curve_.move_to(program_.trajectory_s.back());
+      program_.reference.row(row) = curve_.derivative(0).transpose();
+    }
   }
-  JointVector derivative(int order) const {
-    JointVector out(trajectory_.position.cols());
-    for (int j = 0; j < out.size(); ++j)
-      out[j] = math::value_at(math::quintic_piece(trajectory_, sample_, j), since_sample_s_, order);
-    return out;
+
+  /// Closes the fingers, squeezes and settles while the arm stays.
+  void grasp() {
+    const Eigen::Index closing = steps_in(kClosingTime_s, step_s_);
+    const Eigen::Index pressing = steps_in(kForceRampTime_s, step_s_);
+    const Eigen::Index from = begin_part(closing + pressing + steps_in(kSettle_s, step_s_));
+    for (Eigen::Index row = from; row < steps(); ++row) {
+      program_.control.row(row) =
+          (open_ + progress_after(row, from, closing) * (squeeze_.closed_posture - open_) +
+           progress_after(row, from + closing, pressing) * squeeze_.servo_offset)
+              .transpose();
+      program_.reference.row(row) = open_.transpose();
+    }
   }
+
+  /// Follows one row per step, and then stays for hold_steps.
+  void lift(const JointRows& lifting) {
+    JointVector previous = squeeze_.closed_posture;
+    const Eigen::Index from = begin_part(lifting.rows());
+    for (Eigen::Index row = 0; row < lifting.rows(); ++row) {
+      const JointVector q = lifting.row(row).transpose();
+      program_.control.row(from + row) =
+          (with_velocity_lead(q, (q - previous) / step_s_, servos_) + squeeze_.servo_offset)
+              .transpose();
+      program_.reference.row(from + row) = q.transpose();
+      previous = q;
+    }
+    lifted_ = previous;
+  }
+
+  void hold(double duration_s) {
+    stay(lifted_ + squeeze_.servo_offset, steps_in(duration_s, step_s_));
+  }
+
+  /// Takes `offset` from the servo targets while the arm stays, and settles.
+  void let_go(const JointVector& offset) {
+    const JointVector posture = curve_.derivative(0);
+    const Eigen::Index fading = steps_in(kForceRampTime_s, step_s_);
+    const Eigen::Index from = begin_part(fading + steps_in(kSettle_s, step_s_));
+    for (Eigen::Index row = from; row < steps(); ++row) {
+      program_.control.row(row) =
+          (posture + (1 - progress_after(row, from, fading)) * offset).transpose();
+      program_.reference.row(row) = posture.transpose();
+    }
+  }
+
+  void stand(double duration_s) { stay(curve_.derivative(0), steps_in(duration_s, step_s_)); }
+
+  /// Returns the offset of the servo targets while the fingers squeeze.
+  JointVector squeezing_offset() const {
+    return squeeze_.closed_posture - open_ + squeeze_.servo_offset;
+  }
+  Eigen::Index steps() const { return program_.control.rows(); }
+  ServoCommands& program() { return program_; }
 
  private:
-  const Trajectory& trajectory_;
-  Eigen::Index last_, sample_ = 0;
-  double since_sample_s_ = 0;
+  /// Appends rows; returns the first one. Accelerations are 0 until they are set.
+  Eigen::Index begin_part(Eigen::Index added) {
+    const Eigen::Index from = steps(), n = open_.size();
+    for (JointRows* rows : {&program_.control, &program_.reference, &program_.acceleration})
+      rows->conservativeResize(from + added, n);
+    program_.acceleration.bottomRows(added).setZero();
+    return from;
+  }
+  void stay(const JointVector& target, Eigen::Index added) {
+    begin_part(added);
+    program_.control.bottomRows(added).rowwise() = target.transpose();
+    program_.reference.bottomRows(added).rowwise() = target.transpose();
+  }
+
+  const std::vector<Servo>& servos_;
+  const GraspCommand& squeeze_;
+  const double step_s_;
+  TrajectoryCurve curve_;
+  JointVector open_, lifted_;
+  ServoCommands program_;
 };
 
-/// Fills the commands of the trajectory: targets for the beginning of a step, references for its
-/// end.
-void fill_tracking_commands(const Trajectory& trajectory, Eigen::Index last,
-                            const std::vector<Servo>& servos, double step_s,
-                            ServoCommands& program) {
-  Curve curve(trajectory, last);
-  for (int row = 0; row < program.tracking_end; ++row) {
-    curve.move_to(row * step_s);
-    program.control.row(row) =
-        with_velocity_lead(curve.derivative(0), curve.derivative(1), servos).transpose();
-    program.acceleration.row(row) = curve.derivative(2).transpose();
-    curve.move_to((row + 1) * step_s);
-    program.reference.row(row) = curve.derivative(0).transpose();
-  }
+double since_start_s(const Trajectory& trajectory, Eigen::Index sample) {
+  return trajectory.time[sample] - trajectory.time.front();
 }
 
 }  // namespace
@@ -69,46 +150,44 @@ Eigen::Index last_tracked_sample(const Plan& plan) {
   return last;
 }
 
-ServoCommands make_servo_commands(const robot::Robot& robot, const Plan& plan,
-                                  const std::vector<Servo>& servos, const GraspCommand& squeeze,
-                                  const JointRows& lifting, double step_s) {
-  const Trajectory& t = plan.trajectory;
-  const Eigen::Index last = last_tracked_sample(plan), n = robot.joints();
-  ServoCommands program;
-  program.start = t.position.row(0).transpose();
-  program.tracking_end = steps_in(t.time[last] - t.time.front(), step_s);
-  const Eigen::Index closing = steps_in(kClosingTime_s, step_s);
-  const Eigen::Index pressing = steps_in(kForceRampTime_s, step_s);
-  program.grasp_end = program.tracking_end + closing + pressing + steps_in(kSettle_s, step_s);
-  program.lift_end = program.grasp_end + lifting.rows();
-  program.hold_end = program.lift_end + steps_in(kHold_s, step_s);
-  program.control.resize(program.hold_end, n);
-  program.reference.resize(program.tracking_end, n);
-  program.acceleration.resize(program.tracking_end, n);
-  fill_tracking_commands(t, last, servos, step_s, program);
+ServoCommands lift_commands(const Plan& plan, const std::vector<Servo>& servos,
+                            const GraspCommand& squeeze, const JointRows& lifting, double step_s) {
+  const Eigen::Index last = last_tracked_sample(plan);
+  CommandWriter writer(plan, last, servos, squeeze, step_s);
+  ServoCommands& program = writer.program();
+  const JointVector no_offset = JointVector::Zero(plan.trajectory.position.cols());
+  writer.follow({0, since_start_s(plan.trajectory, last), false, false}, no_offset);
+  program.tracking_end = writer.steps();
+  writer.grasp();
+  program.grasp_end = writer.steps();
+  writer.lift(lifting);
+  program.lift_end = writer.steps();
+  writer.hold(kHold_s);
+  program.hold_end = writer.steps();
+  return program;
+}
 
-  const JointVector open = t.position.row(last).transpose();
-  for (Eigen::Index row = program.tracking_end; row < program.grasp_end; ++row) {
-    const auto progress = [&](Eigen::Index from, Eigen::Index steps) {
-      const double s = static_cast<double>(row + 1 - from) / static_cast<double>(steps);
-      return minimum_jerk(std::clamp(s, 0.0, 1.0));
-    };
-    program.control.row(row) =
-        (open + progress(program.tracking_end, closing) * (squeeze.closed_posture - open) +
-         progress(program.tracking_end + closing, pressing) * squeeze.servo_offset)
-            .transpose();
-  }
-  JointVector previous = squeeze.closed_posture;
-  for (Eigen::Index row = 0; row < lifting.rows(); ++row) {
-    const JointVector q = lifting.row(row).transpose();
-    program.control.row(program.grasp_end + row) =
-        (with_velocity_lead(q, (q - previous) / step_s, servos) + squeeze.servo_offset).transpose();
-    previous = q;
-  }
-  const JointVector end =
-      lifting.rows() > 0 ? JointVector(lifting.bottomRows(1).transpose()) : squeeze.closed_posture;
-  program.control.bottomRows(program.hold_end - program.lift_end).rowwise() =
-      (end + squeeze.servo_offset).transpose();
+ServoCommands task_commands(const Plan& plan, const PlannedTask& task,
+                            const std::vector<Servo>& servos, const GraspCommand& squeeze,
+                            double step_s) {
+  const Trajectory& t = plan.trajectory;
+  const double grasp_s = since_start_s(t, last_tracked_sample(plan));
+  CommandWriter writer(plan, std::ssize(t.time) - 1, servos, squeeze, step_s);
+  ServoCommands& program = writer.program();
+  writer.follow({0, grasp_s, false, true}, JointVector::Zero(t.position.cols()));
+  program.tracking_end = writer.steps();
+  writer.grasp();
+  program.grasp_end = writer.steps();
+  writer.follow({grasp_s, task.release_s, true, true}, writer.squeezing_offset());
+  program.carry_end = program.release_end = program.leave_end = program.stand_end = writer.steps();
+  if (!task.lets_go) return program;
+  writer.let_go(writer.squeezing_offset());
+  program.release_end = writer.steps();
+  writer.follow({task.release_s, since_start_s(t, std::ssize(t.time) - 1), true, false},
+                JointVector::Zero(t.position.cols()));
+  program.leave_end = writer.steps();
+  writer.stand(kStandTime_s);
+  program.stand_end = writer.steps();
   return program;
 }
 

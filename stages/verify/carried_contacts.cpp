@@ -80,14 +80,15 @@ class CarriedVerifier {
     const bool touching = carried_.may_touch(other, time_s, time_s);
     const double required = required_distance(other, time_s, time_s);
     const double stored = curve_.trajectory->clearance[sample];
-    const double enough =
-        touching ? required : std::max(required, std::isfinite(stored) ? stored + 1e-3 : kInfinity);
+    const double enough = touching ? required
+                                   : std::max({required, along_curve(other),
+                                               std::isfinite(stored) ? stored + 1e-3 : kInfinity});
     const JointVector q = curve_.trajectory->position.row(sample).transpose();
     const double value = distance(other, q, time_s, enough);
     if (!touching) least = std::min(least, value);
     if (!(value >= required - kCarriedTolerance_m))
       note(other, point_at_sample(*curve_.trajectory, sample), value, required);
-    if (!touching) clearance_.along_curve = std::min(clearance_.along_curve, value);
+    if (!touching) along_curve(other) = std::min(along_curve(other), value);
   }
 
   /// Proves that the object is clear in a part, and lowers the clearance along the curve.
@@ -98,7 +99,7 @@ class CarriedVerifier {
     const double required = required_distance(other, begin_s, end_s);
     const double required_here = required_distance(other, middle_s, middle_s);
     const bool counts = !carried_.may_touch(other, begin_s, end_s);
-    double& least = clearance_.along_curve;
+    double& least = along_curve(other);
     const double wanted = counts ? std::max(required, least) : required;
     curve_.position_at(part.piece, part.middle(), q_);
     const double value = distance(other, q_, middle_s, wanted + kCarriedLookahead * travel);
@@ -117,6 +118,13 @@ class CarriedVerifier {
     if (may_be_less) least = value - travel;
     if (!proved && !violated)
       note(other, curve_.point_at(part.piece, part.middle()), value, required);
+  }
+
+  /// Returns the least distance so far from objects of the same kind as `other`.
+  double& along_curve(int other) {
+    const ClearanceKind kind =
+        kind_of_object(plan_.scene.objects[other].name, plan_.movement.target);
+    return clearance_.along_curve[static_cast<std::size_t>(kind)];
   }
 
   double time_at(const CurvePart& part, double s) const {
@@ -173,6 +181,21 @@ class CarriedVerifier {
 };
 
 }  // namespace
+
+double carried_distance(const RobotModel& robot, const Plan& plan, const std::vector<Mesh>& meshes,
+                        const AttachedObject& attached, const std::string& other,
+                        const JointVector& q, double time_s) {
+  const std::vector<SceneObject>& objects = plan.scene.objects;
+  const auto index_of = [&](const std::string& name) {
+    return std::ranges::find(objects, name, &SceneObject::name) - objects.begin();
+  };
+  const auto own = index_of(plan.movement.target), second = index_of(other);
+  if (own == second || std::max(own, second) >= std::ssize(objects)) return kUnknown;
+  const Pose own_pose = carried_pose(robot, objects[own], attached, q, time_s),
+             other_pose = recorded_pose(objects[second], time_s);
+  return body_distance({objects[own], meshes[own], own_pose},
+                       {objects[second], meshes[second], other_pose}, kInfinity);
+}
 
 CarriedClearance verify_carried_object(const RobotModel& robot, const Plan& plan,
                                        const Curve& curve, const std::vector<Mesh>& meshes,

@@ -4,6 +4,7 @@
 
 #include "stages/verify/attached_object.hpp"
 #include "stages/verify/body_distance.hpp"
+#include "stages/verify/clearance_by_kind.hpp"
 #include "stages/verify/curve.hpp"
 #include "stages/verify/violation_log.hpp"
 
@@ -59,8 +60,14 @@ Pose carried_pose(const RobotModel& robot, const SceneObject& object,
 /// The least distances of a carried object from others at times at which they may not touch [m].
 struct CarriedClearance {
   std::vector<double> at_samples;  ///< [samples] +infinity if there are no such objects
-  double along_curve = kInfinity;  ///< to 0.01 mm
+  ClearanceByKind along_curve = no_clearance();  ///< to 0.01 mm
 };
+/// Returns the distance of the target, as a body in the hand, from the named object [m]; NaN if one
+/// of them does not exist.
+double carried_distance(const RobotModel& robot, const Plan& plan, const std::vector<Mesh>& meshes,
+                        const AttachedObject& attached, const std::string& other,
+                        const JointVector& q, double time_s);
+
 /// Records `object_collision` violations, with the subject "target/object", if the carried object
 /// is closer to another one than required at a sample or along the curve; and `release` violations
 /// if it stood on another object when it was taken, and is released in transport farther than

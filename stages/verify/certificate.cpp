@@ -1,10 +1,13 @@
 #include "stages/verify/certificate.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "stages/verify/goal_errors.hpp"
+#include "stages/verify/held_drift.hpp"
 #include "stages/verify/posture_errors.hpp"
 #include "stages/verify/smoothness.hpp"
 
@@ -65,6 +68,8 @@ constexpr Attribute kAttributes[] = {
     {"palm_error_mean", &Certificate::palm_error_mean},
     {"palm_error_max", &Certificate::palm_error_max},
     {"wrist_speed_correlation", &Certificate::wrist_speed_correlation},
+    {"held_drift", &Certificate::held_drift},
+    {"held_turn", &Certificate::held_turn},
     {"duration_ratio", &Certificate::duration_ratio},
     {"humanlikeness_mapped", &Certificate::humanlikeness_mapped},
     {"humanlikeness_final", &Certificate::humanlikeness_final},
@@ -74,17 +79,46 @@ constexpr Attribute kAttributes[] = {
     {"log_dimensionless_jerk_human", &Certificate::log_dimensionless_jerk_human},
 };
 
+const KindClearance* clearance_of(const Certificate& certificate, ClearanceKind kind) {
+  const auto found = std::ranges::find(certificate.clearance_by_kind, kind, &KindClearance::kind);
+  return found == certificate.clearance_by_kind.end() ? nullptr : &*found;
+}
+
+/// Records the clearances by kind that disagree, are missing, or appear twice. A certificate
+/// without any is that of an earlier version; verify_requirements() demands them.
+void verify_kinds(const Certificate& stored, const Certificate& own, ViolationLog& violations) {
+  if (stored.clearance_by_kind.empty()) return;
+  for (std::size_t k = 0; k < enum_count<ClearanceKind>(); ++k) {
+    const auto kind = static_cast<ClearanceKind>(k);
+    const KindClearance *theirs = clearance_of(stored, kind), *ours = clearance_of(own, kind);
+    const double value = theirs ? theirs->clearance : kUnknown,
+                 expected = ours ? ours->clearance : kUnknown;
+    if (!agree(value, expected, kClearanceTolerance_m))
+      violations.note_plan("certificate", fmt::format("clearance_by_kind/{}", name_of(kind)), value,
+                           expected);
+  }
+  if (stored.clearance_by_kind.size() != own.clearance_by_kind.size())
+    violations.note_plan("certificate", "clearance_by_kind/kind",
+                         static_cast<double>(stored.clearance_by_kind.size()),
+                         static_cast<double>(own.clearance_by_kind.size()));
+}
+
 }  // namespace
 
 Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
-                                  const LimitUse& use, double clearance) {
+                                  const LimitUse& use, const ClearanceByKind& clearance) {
   Certificate own;
   own.joint_limit_margin = use.position_margin;
   own.velocity_ratio = use.velocity_ratio;
   own.acceleration_ratio = use.acceleration_ratio;
   own.jerk_ratio = use.jerk_ratio;
   // An infinite clearance means that no pair could touch and no clearance was measured.
-  own.clearance = std::isinf(clearance) ? kUnknown : clearance;
+  for (int k = 0; k < kClearanceKindCount; ++k) {
+    if (std::isinf(clearance[k])) continue;
+    own.clearance_by_kind.push_back(
+        {static_cast<ClearanceKind>(k), clearance[k], "", "", kUnknown});
+    own.clearance = std::fmin(own.clearance, clearance[k]);
+  }
   const GoalErrors goals = goal_errors(robot, plan);
   own.tip_error_max = goals.position_max;
   own.tip_error_mean = goals.position_mean;
@@ -98,6 +132,7 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
   if (clock.back() > clock.front())
     own.duration_ratio = plan.trajectory.time.back() / (clock.back() - clock.front());
   recompute_posture(robot, plan, curve, own);
+  recompute_held_drift(robot, plan, own);
   const Speeds speeds = mean_speeds(robot, plan.goals, curve);
   own.sparc_robot = sparc(speeds.robot, speeds.step_s);
   own.sparc_human = sparc(speeds.human, speeds.step_s);
@@ -107,7 +142,8 @@ Certificate recompute_certificate(const RobotModel& robot, const Plan& plan, con
 }
 
 void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& curve,
-                        const LimitUse& use, double clearance, ViolationLog& violations) {
+                        const LimitUse& use, const ClearanceByKind& clearance,
+                        ViolationLog& violations) {
   const Certificate own = recompute_certificate(robot, plan, curve, use, clearance);
   const Certificate& stored = plan.certificate;
   for (const auto& [name, value] : kAttributes) {
@@ -120,6 +156,7 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
     if (!agree(stored.*value, own.*value, tolerance))
       violations.note_plan("certificate", name, stored.*value, own.*value);
   }
+  verify_kinds(stored, own, violations);
   if (stored.unchecked_links != robot.unchecked_links)
     violations.note_plan("certificate", "unchecked_links",
                          static_cast<double>(stored.unchecked_links.size()),
@@ -134,6 +171,9 @@ void verify_no_certificate(const Certificate& certificate, ViolationLog& violati
   for (const auto& [name, value] : kAttributes)
     if (!std::isnan(certificate.*value))
       violations.note_plan("certificate", name, certificate.*value, kUnknown);
+  for (const KindClearance& each : certificate.clearance_by_kind)
+    violations.note_plan("certificate", fmt::format("clearance_by_kind/{}", name_of(each.kind)),
+                         each.clearance, kUnknown);
 }
 
 }  // namespace morphe::verify

@@ -1,5 +1,7 @@
 #include "stages/verify/contact.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -54,7 +56,7 @@ class ContactVerifier {
     attached_ = find_attached_object(robot, plan, plan.trajectory);
     carried_ = verify_carried_object(robot, plan, curve, meshes_, attached_, violations);
     for (const ContactPair& pair : pairs_)
-      kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair)});
+      kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair), kind_of(pair)});
     if (attached_.object < 0) return;
     const double radius = bounding_radius(plan.scene.objects[attached_.object]);
     const Vec3 centre = attached_.frame_from_object.translation();
@@ -63,8 +65,8 @@ class ContactVerifier {
           relative_motion_bound(robot, i, attached_.frame, centre, radius));
   }
 
-  double run() {
-    double clearance = kInfinity;
+  ClearanceByKind run() {
+    ClearanceByKind clearance = no_clearance();
     verify_sample(0, clearance);
     for (int piece = 0; piece < curve_.pieces; ++piece) {
       const PieceInterval whole = make_interval(piece, 0, 1);
@@ -75,16 +77,20 @@ class ContactVerifier {
       const int piece = first->piece;
       std::vector<int> near;
       for (; first != near_pairs_.end() && first->piece == piece; ++first) {
-        if (!(first->bound >= clearance) || kinds_[first->index].is_attached_target)
+        const PairKind& kind = kinds_[first->index];
+        if (!(first->bound >= clearance[kind.clearance]) || kind.is_attached_target)
           near.push_back(first->index);
       }
       refine_clearance(make_interval(piece, 0, 1), near, clearance);
     }
-    return std::min(clearance, carried_.along_curve);
+    for (int k = 0; k < kClearanceKindCount; ++k)
+      clearance[k] = std::min(clearance[k], carried_.along_curve[k]);
+    if (curve_.trajectory == &plan_.trajectory) verify_closest_pairs();
+    return clearance;
   }
 
  private:
-  void verify_sample(int sample, double& clearance) {
+  void verify_sample(int sample, ClearanceByKind& clearance) {
     const Trajectory& trajectory = *curve_.trajectory;
     const double time_s = trajectory.demonstration_time[sample];
     const CurvePoint point = point_at_sample(trajectory, sample);
@@ -99,16 +105,19 @@ class ContactVerifier {
       const bool touching = in_window && kinds_[i].may_touch;
       const double required = required_distance(pair, touching);
       const double enough =
-          touching ? required : std::max({required, clearance, std::min(limit, least)});
+          touching ? required
+                   : std::max({required, clearance[kinds_[i].clearance], std::min(limit, least)});
       if (!is_known_clear(i, enough)) {
         if (!std::exchange(poses_updated, true))
           update_body_poses(trajectory.position.row(sample).transpose(), time_s);
         bound_[i] = distance(pair, enough);
         if (!(bound_[i] >= required - kDistanceTolerance_m)) note(pair, point, bound_[i], required);
       }
-      if (!touching) least = std::min(least, bound_[i]);
+      if (touching) continue;
+      least = std::min(least, bound_[i]);
+      double& of_kind = clearance[kinds_[i].clearance];
+      of_kind = std::min(of_kind, bound_[i]);
     }
-    clearance = std::min(clearance, least);
     const bool none = least == kInfinity;
     if (none ? std::isnan(stored) : std::abs(stored - least) <= kStoredClearanceTolerance_m) return;
     violations_.note("clearance", "trajectory", point, stored, none ? kUnknown : least,
@@ -130,6 +139,46 @@ class ContactVerifier {
     return {piece, s0, s1, middle, at(s0), at(middle), at(s1), half_s};
   }
 
+  int kind_of(const ContactPair& pair) const {
+    return static_cast<int>(
+        pair.is_object ? kind_of_object(plan_.scene.objects[pair.other].name, plan_.movement.target)
+                       : ClearanceKind::self);
+  }
+
+  /// Compares each clearance of the certificate with the distance of its pair at its time.
+  void verify_closest_pairs() {
+    for (const KindClearance& stored : plan_.certificate.clearance_by_kind) {
+      const double value = distance_of(stored);
+      if (std::abs(value - stored.clearance) <= kStoredClearanceTolerance_m) continue;
+      violations_.note_plan("certificate",
+                            fmt::format("clearance_by_kind/{}/pair", name_of(stored.kind)),
+                            stored.clearance, value);
+    }
+  }
+
+  /// Returns the distance of the named pair at the named time; NaN if there is no such pair.
+  double distance_of(const KindClearance& stored) {
+    const std::vector<double>& time = curve_.trajectory->time;
+    if (!(stored.time_s >= time.front() && stored.time_s <= time.back())) return kUnknown;
+    const auto after = std::ranges::upper_bound(time, stored.time_s) - time.begin();
+    const int piece = std::clamp(static_cast<int>(after) - 1, 0, curve_.pieces - 1);
+    const double s = (stored.time_s - time[piece]) / (time[piece + 1] - time[piece]);
+    const double time_s = curve_.demonstration_time_at(piece, s);
+    curve_.position_at(piece, s, q_);
+    if (stored.first == plan_.movement.target)
+      return carried_distance(robot_, plan_, meshes_, attached_, stored.second, q_, time_s);
+    update_body_poses(q_, time_s);
+    for (const ContactPair& pair : pairs_) {
+      const std::string& first = robot_.capsules[pair.capsule].name;
+      const std::string& second =
+          pair.is_object ? plan_.scene.objects[pair.other].name : robot_.capsules[pair.other].name;
+      const bool same = (first == stored.first && second == stored.second) ||
+                        (!pair.is_object && first == stored.second && second == stored.first);
+      if (same && kind_of(pair) == static_cast<int>(stored.kind)) return distance(pair, kInfinity);
+    }
+    return kUnknown;
+  }
+
   bool is_attached_target(const ContactPair& pair) const {
     return pair.is_object && pair.other == attached_.object;
   }
@@ -145,9 +194,9 @@ class ContactVerifier {
   }
 
   /// Lowers the distance bounds of all pairs by their greatest travel in a whole piece. Returns the
-  /// pairs that may then come closer than required, and keeps those that may come closer than
-  /// `clearance`, the least distance at the samples so far: others cannot lower it.
-  std::vector<int> candidate_pairs(const PieceInterval& whole, double clearance) {
+  /// pairs that may then come closer than required, and keeps those that may come closer than the
+  /// `clearance` of their kind, the least distance at the samples so far: others cannot lower it.
+  std::vector<int> candidate_pairs(const PieceInterval& whole, const ClearanceByKind& clearance) {
     approach_speed_.noalias() = motion_bounds_ * curve_.speed.row(whole.piece).transpose();
     std::vector<int> candidates;
     for (int i = 0; i < std::ssize(pairs_); ++i) {
@@ -157,7 +206,8 @@ class ContactVerifier {
       const double required = kinds_[i].may_touch ? required_clearance_in(pairs_[i], whole)
                                                   : plan_.tolerances.required_clearance;
       if (!is_known_clear(i, required)) candidates.push_back(i);
-      if (!is_known_clear(i, clearance)) near_pairs_.push_back({whole.piece, i, bound_[i]});
+      if (!is_known_clear(i, clearance[kinds_[i].clearance]))
+        near_pairs_.push_back({whole.piece, i, bound_[i]});
     }
     return candidates;
   }
@@ -191,16 +241,17 @@ class ContactVerifier {
     verify_interval(make_interval(part.piece, part.middle, part.s1), undecided);
   }
 
-  /// Lowers the clearance to the least distance of the pairs in an interval, at times at which they
-  /// may not touch. May miss a distance that is smaller by less than the resolution.
+  /// Lowers the clearances to the least distances of the pairs in an interval, at times at which
+  /// they may not touch. May miss a distance that is smaller by less than the resolution.
   void refine_clearance(const PieceInterval& part, const std::vector<int>& pairs,
-                        double& clearance) {
+                        ClearanceByKind& clearances) {
     if (pairs.empty()) return;
     update_poses_at_middle(part);
     std::vector<int> undecided;
     for (const int index : pairs) {
       const ContactPair& pair = pairs_[index];
       if (may_touch_in(pair, part.begin_s, part.end_s)) continue;
+      double& clearance = clearances[kinds_[index].clearance];
       const double travel = max_travel(part, pair);
       const double value = distance(pair, clearance + kLookaheadRatio * travel);
       if (!may_touch_in(pair, part.middle_s, part.middle_s)) clearance = std::min(clearance, value);
@@ -215,8 +266,8 @@ class ContactVerifier {
     }
     if (undecided.empty()) return;
     --clearance_bisections_left_;
-    refine_clearance(make_interval(part.piece, part.s0, part.middle), undecided, clearance);
-    refine_clearance(make_interval(part.piece, part.middle, part.s1), undecided, clearance);
+    refine_clearance(make_interval(part.piece, part.s0, part.middle), undecided, clearances);
+    refine_clearance(make_interval(part.piece, part.middle, part.s1), undecided, clearances);
   }
 
   void update_poses_at_middle(const PieceInterval& part) {
@@ -306,6 +357,7 @@ class ContactVerifier {
   /// into the cache.
   struct PairKind {
     bool is_object = false, may_touch = false, is_attached_target = false;
+    int clearance = 0;  ///< ClearanceKind
   };
   std::vector<ContactPair> pairs_;
   std::vector<PairKind> kinds_;  ///< [pairs]
@@ -331,8 +383,8 @@ class ContactVerifier {
 
 }  // namespace
 
-double verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,
-                       ViolationLog& violations) {
+ClearanceByKind verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                                ViolationLog& violations) {
   return ContactVerifier(robot, plan, curve, violations).run();
 }
 

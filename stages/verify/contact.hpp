@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/motion/robot_model.hpp"
+#include "stages/verify/clearance_by_kind.hpp"
 #include "stages/verify/curve.hpp"
 #include "stages/verify/violation_log.hpp"
 
@@ -41,9 +42,10 @@ std::vector<ContactPair> contact_pairs(const RobotModel& robot, const Plan& plan
 /// has one and the capsule is no pad. Records `clearance` violations if the clearance stored for a
 /// sample differs from the recomputed one by more than 1e-4 m, and the violations of
 /// verify_carried_object(). Returns the least distance along the
-/// whole curve, to 0.01 mm, over all pairs at times at which they may not touch; +infinity if there
-/// are no such pairs.
-double verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,
-                       ViolationLog& violations);
+/// whole curve, to 0.01 mm, over all pairs of each kind at times at which they may not touch.
+/// Compares the pair and the time of each of the certificate's clearances by kind with the distance
+/// of that pair at that time (`certificate`), if the curve is that of the plan's trajectory.
+ClearanceByKind verify_contacts(const RobotModel& robot, const Plan& plan, const Curve& curve,
+                                ViolationLog& violations);
 
 }  // namespace morphe::verify

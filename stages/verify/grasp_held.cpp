@@ -4,10 +4,14 @@
 #include <set>
 #include <vector>
 
+#include "stages/verify/held_drift.hpp"
 #include "stages/verify/pad.hpp"
 
 namespace morphe::verify {
 namespace {
+
+/// Largest motion of the pads in the hand that carries the target.
+constexpr double kMaxHeldDrift_m = 5e-4, kMaxHeldTurn_rad = kRadPerDegree;
 
 std::size_t padded_finger_count(const RobotModel& robot) {
   const std::vector<PadSphere> pads = pad_spheres(robot);
@@ -40,6 +44,12 @@ bool has_opposed_pair(const Grasp& grasp) {
 
 void verify_held(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
   if (!plan.tolerances.max_link_penetration || padded_finger_count(robot) < 2) return;
+  Certificate own;
+  recompute_held_drift(robot, plan, own);
+  if (own.held_drift > kMaxHeldDrift_m)
+    violations.note_plan("contact", "held_drift", own.held_drift, kMaxHeldDrift_m);
+  if (own.held_turn > kMaxHeldTurn_rad)
+    violations.note_plan("contact", "held_turn", own.held_turn, kMaxHeldTurn_rad);
   if (has_opposed_pair(plan.grasp) || plan.grasp.quality.epsilon_lower > 0) return;
   for (const Phase& phase : plan.movement.phases) {
     if (phase.kind != PhaseKind::transport || !(phase.begin_s < plan.movement.end_s)) continue;

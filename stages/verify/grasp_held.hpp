@@ -10,7 +10,8 @@ namespace morphe::verify {
 /// tolerances of the section `grasp` carries its target (a transport begins before its end) with a
 /// robot that has pads on several fingers, though no two touching contacts are opposed (the angle
 /// between each normal and the line to the other contact is at most atan of the friction) and
-/// epsilon_lower is not positive.
+/// epsilon_lower is not positive. Records "held_drift" [m] or "held_turn" [rad] if the pads move in
+/// the palm by more than 0.5 mm or 1 degree until the target is put down (recompute_held_drift()).
 void verify_held(const RobotModel& robot, const Plan& plan, ViolationLog& violations);
 
 }  // namespace morphe::verify

@@ -22,7 +22,7 @@ bool is_of_person(const Goals& goals, std::size_t tip) {
 
 PhaseKind merged_phase(const std::vector<Phase>& phases, double time_s) {
   if (is_grasping(phases, time_s)) return PhaseKind::grasp;
-  const PhaseKind own = phase_at(phases, time_s);
+  const PhaseKind own = main_phase_at(phases, time_s);
   return own == PhaseKind::preshape ? PhaseKind::reach : own;
 }
 

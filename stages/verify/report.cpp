@@ -32,12 +32,30 @@ std::string json_number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "null";
 }
 
+std::string assumption_json(const Assumption& assumption, const std::string& plans) {
+  return fmt::format("\n  {{\"kind\": {}, \"subject\": {}, \"value\": {}, \"plans\": {}}}",
+                     quoted(std::string(name_of(assumption.kind))), quoted(assumption.subject),
+                     quoted(assumption.value), plans);
+}
+
+std::string assumptions_json(const VerifyReport& report) {
+  std::string out;
+  const auto add = [&](const Assumption& assumption, const std::string& plans) {
+    out += (out.empty() ? "" : ",") + assumption_json(assumption, plans);
+  };
+  for (const auto& [assumption, plans] : report.plan_assumptions.counted)
+    add(assumption, fmt::format("{}", plans));
+  for (const Assumption& assumption : report.assumptions) add(assumption, "null");
+  return out;
+}
+
 }  // namespace
 
 std::string verify_json(const VerifyReport& report) {
   std::string out = fmt::format(
-      "{{\"executable\": {}, \"approximate\": {}, \"infeasible\": {}, \"violations\": [",
-      report.executable, report.approximate, report.infeasible);
+      "{{\"executable\": {}, \"approximate\": {}, \"partial\": {}, \"infeasible\": {}, "
+      "\"violations\": [",
+      report.executable, report.approximate, report.partial, report.infeasible);
   const char* separator = "";
   for (const Violation& v : report.violations) {
     out += fmt::format(
@@ -47,7 +65,8 @@ std::string verify_json(const VerifyReport& report) {
         quoted(v.subject), json_number(v.value), json_number(v.limit), quoted(v.unit));
     separator = ",";
   }
-  return out + (report.violations.empty() ? "]}\n" : "\n]}\n");
+  out += report.violations.empty() ? "]" : "\n]";
+  return out + fmt::format(", \"assumptions\": [{}]}}\n", assumptions_json(report));
 }
 
 std::string violation_text(const Violation& v) {
@@ -66,8 +85,15 @@ std::string verify_text(const VerifyReport& report) {
   for (const Violation& v : report.violations) out += violation_text(v) + '\n';
   const std::string approximate =
       report.approximate > 0 ? fmt::format("{} approximate, ", report.approximate) : "";
-  return fmt::format("{}{} executable, {}{} infeasible, {}\n", out, report.executable, approximate,
-                     report.infeasible, count_with_noun(report.violations.size(), "violation"));
+  const std::string partial = report.partial > 0 ? fmt::format("{} partial, ", report.partial) : "";
+  const int plans = report.executable + report.approximate + report.partial;
+  out += fmt::format("  {:<13} {}\n", "certified",
+                     "limits, collisions and tracking of the stored curves, recomputed "
+                     "(docs/certificate.md)");
+  out += subject_lines(report.assumptions, report.plan_assumptions, plans);
+  return fmt::format("{}{} executable, {}{}{} infeasible, {}\n", out, report.executable,
+                     approximate, partial, report.infeasible,
+                     count_with_noun(report.violations.size(), "violation"));
 }
 
 }  // namespace morphe::verify

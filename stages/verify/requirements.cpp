@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/task.hpp"
+#include "stages/verify/delivered_part.hpp"
+
 namespace morphe::verify {
 namespace {
 
@@ -40,6 +43,13 @@ void verify_flags(const Plan& plan, const PlanRequest& request, ViolationLog& vi
   }
 }
 
+/// Returns the last phase to be planned, by the task's words.
+PhaseKind plan_until(const Plan& plan, const PlanRequest& request) {
+  for (const auto& [word, until] : request.plan_until_by_task)
+    if (contains_word(plan.task, word)) return until;
+  return *request.plan_until;
+}
+
 void verify_plan_times(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
   const std::vector<double>& time = plan.goals.time;
   if (time.size() > 1) {
@@ -54,9 +64,10 @@ void verify_plan_times(const Plan& plan, const PlanRequest& request, ViolationLo
       violations.note_plan("config", name, value, expected);
   };
   check("begin_s", plan.movement.begin_s, phases.front().begin_s);
-  const Phase* last = last_phase(plan.movement, *request.plan_until);
-  if (!last) last = last_phase(plan.movement, PhaseKind::grasp);
-  if (last) check("end_s", plan.movement.end_s, last->end_s);
+  const double end_s = planned_end_s(plan.movement, plan_until(plan, request));
+  if (std::isnan(end_s)) return;
+  if (plan.delivered) check("requested_end_s", plan.delivered->requested_end_s, end_s);
+  if (!plan.delivered) check("end_s", plan.movement.end_s, end_s);
 }
 
 void verify_approach_retreat_present(const Plan& plan, const PlanRequest& request,
@@ -133,6 +144,7 @@ void verify_requirements(const Plan& plan, const PlanRequest& request, Violation
   verify_approach_retreat_present(plan, request, violations);
   verify_scene_bodies(plan, request, violations);
   verify_attached_frame(plan, request, violations);
+  verify_origins(plan, request, violations);
 }
 
 }  // namespace morphe::verify

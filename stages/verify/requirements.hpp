@@ -10,16 +10,35 @@ namespace morphe::verify {
 /// goals              frames are not spaced by the config's step; 1e-6 s
 /// begin_s, end_s     not the begin of the first phase and the end of the last phase to be planned;
 ///                    1e-9 s
+/// requested_end_s    the same of a partial plan, which ends earlier
 /// approach, retreat  absent though requested, or present though not requested
 /// OBJECT             an object of the config is missing, moves, or has another shape, size or pose
 ///                    (1e-6) than the config gives it
 /// carried_by         the target is attached to another frame than the request's, or to any though
 ///                    the movement ends before its attach_s
+/// OBJECT/origin      it is not known whether an object was configured, recorded or inferred, an
+///                    object of the config is not configured, or an object is inferred that is
+///                    neither table nor target
+/// clearance_by_kind  absent from a certificate with a clearance
+/// must_be_known      an inferred table or target that the config requires to be known
 /// Records a `flag` violation for each of its flags that the config refuses and nobody accepted.
 void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
 
 /// Records a `robot` violation for each column in which a stored robot table differs from the
 /// requested one: other names or counts, or numbers x that differ by more than 1e-9 max(1, |x|).
 void verify_robot(const RobotModel& stored, const RobotModel& request, ViolationLog& violations);
+
+/// Records an `assumption` violation for each assumption of robot and config that the stored ones
+/// lack, and for each stored one that is not requested and not a setting given by hand.
+void verify_assumptions(const std::vector<Assumption>& stored,
+                        const std::vector<Assumption>& request, ViolationLog& violations);
+
+/// Returns true if a plan with a clearance says neither the origin of any object nor the clearances
+/// by kind, as in files of earlier versions.
+bool lacks_origins_and_kinds(const Plan& plan);
+/// Records `config` violations of the origins of a plan's objects and of its clearances by kind,
+/// see verify_requirements(). A plan that lacks all of them is accepted; verify_file() demands
+/// them.
+void verify_origins(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
 
 }  // namespace morphe::verify

@@ -12,6 +12,9 @@
 namespace morphe::verify {
 namespace {
 
+/// The bounds of each extent of a target whose shape is inferred [m].
+constexpr double kLeastInferredExtent_m = 0.03, kLargestInferredExtent_m = 0.3;
+constexpr double kExtentTolerance_m = 1e-9;
 constexpr double kFrameTolerance = 1e-6, kAttachTimeTolerance_s = 1e-9;
 
 /// Returns the deviation of a stored pose from the expected one; 0 if both are absent.
@@ -50,6 +53,24 @@ void verify_attachment(const RobotModel& robot, const Plan& plan, const SceneObj
   verify_attach_times(plan, object, violations);
 }
 
+/// Records an inferred object that is not an upright cylinder of a likely size. (An inferred table
+/// is any box; the shape alone is inferred of an object of which only the poses were recorded.)
+void verify_inferred_shape(const SceneObject& object, ViolationLog& violations) {
+  if (object.pose_origin != ObjectOrigin::inferred || object.name == "table" ||
+      object.shape_origin != ObjectOrigin::inferred)
+    return;
+  if (object.shape != Shape::cylinder || object.size.size() != 2) {
+    violations.note_plan("scene", object.name + "/shape_origin", kUnknown, kUnknown);
+    return;
+  }
+  for (const double extent : {2 * object.size[0], object.size[1]}) {
+    if (!(extent >= kLeastInferredExtent_m - kExtentTolerance_m))
+      violations.note_plan("scene", object.name + "/size", extent, kLeastInferredExtent_m);
+    if (!(extent <= kLargestInferredExtent_m + kExtentTolerance_m))
+      violations.note_plan("scene", object.name + "/size", extent, kLargestInferredExtent_m);
+  }
+}
+
 }  // namespace
 
 void verify_scene(const RobotModel& robot, const Plan& plan, ViolationLog& violations) {
@@ -61,6 +82,7 @@ void verify_scene(const RobotModel& robot, const Plan& plan, ViolationLog& viola
     if (&object != find_object(objects, object.name))
       violations.note_plan("scene", object.name, kUnknown, kUnknown);
     verify_attachment(robot, plan, object, violations);
+    verify_inferred_shape(object, violations);
   }
   const Pose& base_from_world = plan.reference_frames.base_from_world;
   // A plan of an earlier version, or one without placed objects, has no reference frames.

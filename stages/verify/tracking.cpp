@@ -14,9 +14,13 @@ GoalInterpolation interpolate_goal_frames(const Goals& goals, double time_s) {
 }
 
 bool is_grasping(const std::vector<Phase>& phases, double time_s) {
+  double put_down_s = kInfinity;
+  for (const Phase& phase : phases)
+    if (phase.kind == PhaseKind::transport) put_down_s = phase.end_s;
   return std::ranges::any_of(phases, [&](const Phase& phase) {
-    return (phase.kind == PhaseKind::grasp || phase.kind == PhaseKind::hold) &&
-           time_s >= phase.begin_s && time_s <= phase.end_s;
+    const bool tight = phase.kind == PhaseKind::grasp ||
+                       (phase.kind == PhaseKind::hold && phase.begin_s < put_down_s);
+    return tight && time_s >= phase.begin_s && time_s <= phase.end_s;
   });
 }
 

@@ -18,7 +18,8 @@ struct GoalInterpolation {
 /// Returns the two goal frames around a demonstration time and the interpolation share.
 GoalInterpolation interpolate_goal_frames(const Goals& goals, double time_s);
 
-/// Returns true if a demonstration time is within a phase grasp or hold, borders included.
+/// Returns true if a demonstration time is within a phase grasp, or a hold that begins before the
+/// last transport has ended, borders included.
 bool is_grasping(const std::vector<Phase>& phases, double time_s);
 
 /// Returns the goal position of a tip at a demonstration time, interpolated as above; nullopt if

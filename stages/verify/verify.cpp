@@ -6,6 +6,7 @@
 #include "stages/verify/branch.hpp"
 #include "stages/verify/certificate.hpp"
 #include "stages/verify/contact.hpp"
+#include "stages/verify/delivered_part.hpp"
 #include "stages/verify/goals.hpp"
 #include "stages/verify/grasp_contacts.hpp"
 #include "stages/verify/grasp_forces.hpp"
@@ -64,9 +65,10 @@ std::vector<Violation> verify_trajectory_and_contents(const RobotModel& robot,
   if (request) verify_limit_scaling(use, request->limit_scaling, violations);
   verify_tracking(robot, plan, curve, violations);
   verify_status(robot, plan, violations);
-  const double clearance = verify_contacts(robot, plan, curve, violations);
+  const ClearanceByKind clearance = verify_contacts(robot, plan, curve, violations);
   verify_certificate(robot, plan, curve, use, clearance, violations);
   verify_phases(plan, violations);
+  verify_delivered_part(plan, request, violations);
   verify_goals(robot, plan, violations);
   verify_scene(robot, plan, violations);
   verify_mapping(robot, plan, violations);

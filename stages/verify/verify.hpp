@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/assumption_text.hpp"
 #include "core/motion/export.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/plan_request.hpp"
@@ -15,8 +16,11 @@ namespace morphe::verify {
 
 /// The violations found in a file and the number of its plans by status.
 struct VerifyReport {
-  int executable = 0, approximate = 0, infeasible = 0;  ///< plans, by their stored status
+  int executable = 0, approximate = 0, partial = 0,
+      infeasible = 0;  ///< plans, by their stored status
   std::vector<Violation> violations;
+  std::vector<Assumption> assumptions;  ///< of the file
+  AssumptionTally plan_assumptions;     ///< of its plans with a trajectory
 };
 
 /// Verifies one plan against the guarantees of docs/formats.md, with an independent implementation.
@@ -41,14 +45,17 @@ using RequirementsReader = std::function<PlanRequest(const PlanFileHeader&)>;
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
                                        const RequirementsReader& read_request = {}, int jobs = 1);
 
-/// Returns the report as JSON: {executable, approximate, infeasible, violations: [{plan, sample,
-/// time_s, cause, subject, value, limit, unit}]}; a number that is not finite is null.
+/// Returns the report as JSON: {executable, approximate, partial, infeasible, violations: [{plan,
+/// sample, time_s, cause, subject, value, limit, unit}], assumptions: [{kind, subject, value,
+/// plans}]}; a number that is not finite is null, and so is `plans` for an assumption of the whole
+/// file.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
 /// Returns a violation as one line, such as "reach/000: plan: mapped status: 1, limit 0".
 MORPHE_EXPORT std::string violation_text(const Violation& violation);
 
-/// Returns the report as text, one line per violation, followed by the totals.
+/// Returns the report as text: one line per violation, what the verification holds for and on what
+/// it rests, and the totals.
 MORPHE_EXPORT std::string verify_text(const VerifyReport& report);
 
 }  // namespace morphe::verify

@@ -37,6 +37,7 @@ std::optional<PlanRequest> verify_header(const store::PlanReader& reader,
     if (reader.header().config_sha256 != request.config_sha256)
       violations.note_plan("config", "config_sha256", kUnknown, kUnknown);
     verify_robot(reader.robot(), request.robot, violations);
+    verify_assumptions(reader.header().assumptions, request.assumptions, violations);
     return request;
   } catch (const InputError& error) {
     std::string message = error.what();
@@ -48,10 +49,38 @@ std::optional<PlanRequest> verify_header(const store::PlanReader& reader,
 
 using NamedPlan = std::pair<std::string, Plan>;
 
+/// Verifies a plan of a file whose request, if there is one, is comparable with its robot.
+std::vector<Violation> verify_named_plan(const store::PlanReader& reader, const NamedPlan& named,
+                                         const PlanRequest* request) {
+  const auto& [path, plan] = named;
+  std::vector<Violation> violations =
+      verify_plan(reader.robot(), path, plan, reader.header().config, request);
+  if (request && lacks_origins_and_kinds(plan)) {
+    ViolationLog lacking(path);
+    lacking.note_plan("config", "clearance_by_kind", 0, 1);
+    for (Violation& violation : lacking.finish()) violations.push_back(std::move(violation));
+  }
+  return violations;
+}
+
 struct VerifiedPlan {
   Status status = Status::infeasible;
   std::vector<Violation> violations;
+  std::vector<Assumption> assumptions;  ///< of a plan with a trajectory
 };
+
+int& count_of(Status status, VerifyReport& report) {
+  switch (status) {
+    case Status::executable:
+      return report.executable;
+    case Status::approximate:
+      return report.approximate;
+    case Status::partial:
+      return report.partial;
+    default:
+      return report.infeasible;
+  }
+}
 
 }  // namespace
 
@@ -63,6 +92,7 @@ VerifyReport verify_file(const std::filesystem::path& file, const RequirementsRe
   verify_plan_numbering(reader.plan_paths(), violations);
   const std::optional<PlanRequest> request = verify_header(reader, read_request, violations);
   report.violations = violations.finish();
+  report.assumptions = reader.header().assumptions;
   const bool comparable = request && request->robot.joint_names == reader.robot().joint_names;
   parallel::OrderedParallelMap<NamedPlan, VerifiedPlan> map;
   map.next = [&, i = std::size_t{0}]() mutable {
@@ -71,15 +101,14 @@ VerifyReport verify_file(const std::filesystem::path& file, const RequirementsRe
     return std::make_unique<NamedPlan>(path, reader.read(i++));
   };
   map.work = [&](const NamedPlan& named) {
-    const auto& [path, plan] = named;
-    return std::make_unique<VerifiedPlan>(
-        VerifiedPlan{plan.status(), verify_plan(reader.robot(), path, plan, reader.header().config,
-                                                comparable ? &*request : nullptr)});
+    const Plan& plan = named.second;
+    return std::make_unique<VerifiedPlan>(VerifiedPlan{
+        plan.status(), verify_named_plan(reader, named, comparable ? &*request : nullptr),
+        plan.has_trajectory() ? plan_assumptions(plan) : std::vector<Assumption>()});
   };
   map.write = [&](const VerifiedPlan& verified) {
-    ++(verified.status == Status::executable    ? report.executable
-       : verified.status == Status::approximate ? report.approximate
-                                                : report.infeasible);
+    ++count_of(verified.status, report);
+    report.plan_assumptions.add(verified.assumptions);
     for (const Violation& violation : verified.violations) report.violations.push_back(violation);
   };
   parallel::run(map, jobs);

@@ -45,8 +45,9 @@ std::string unit_of(const RobotModel& robot, const Violation& violation) {
   static const std::vector<UnitOf> grasp_units = {
       {"m",
        {"tips_in_object", "desired_point", "demonstrated_point", "point", "pad", "signed_distance",
-        "penetration", "torsional_friction", "centre_of_mass", "characteristic_length"}},
-      {"rad", {"grasp_posture", "normal", "pad_angle", "servo_target", "trajectory"}},
+        "penetration", "held_drift", "torsional_friction", "centre_of_mass",
+        "characteristic_length"}},
+      {"rad", {"held_turn", "grasp_posture", "normal", "pad_angle", "servo_target", "trajectory"}},
       {"kg", {"mass"}},
       {"s", {"opposed"}},
       {"N",
@@ -54,12 +55,14 @@ std::string unit_of(const RobotModel& robot, const Violation& violation) {
         "friction_cone", "force_balance"}},
       {"N m", {"torque"}}};
   static const std::vector<UnitOf> subject_units = {
-      {"m", {"max_tip_error", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp"}},
-      {"s", {"max_goal_gap_s"}},
+      {"m",
+       {"max_tip_error", "clearance", "tip_error_max", "tip_error_mean", "tip_error_grasp",
+        "held_drift"}},
+      {"s", {"max_goal_gap_s", "delivered_until", "requested_end_s"}},
       {"rad",
        {"tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max",
         "forearm_error_mean", "forearm_error_max", "swivel_error_mean", "swivel_error_max",
-        "palm_error_mean", "palm_error_max"}},
+        "palm_error_mean", "palm_error_max", "held_turn"}},
       {"m^2", {"humanlikeness_mapped", "humanlikeness_final"}}};
   const auto joint = joint_units.find(violation.cause);
   if (joint != joint_units.end())

@@ -31,6 +31,9 @@ TRUE_FLAGS = {
     ("propulsion", "incomplete_movement"): "it begins and ends between two pushes",
     ("cmu_12_01_walk", "incomplete_movement"): "the arms swing when it begins and when it ends",
 }
+# Flags that question what is inferred and not the recording: a synthetic hand may take a thing in the
+# air, or a thin one.
+NOT_OF_DAMAGE = {"unlikely_target"}
 
 
 def run_dataset(morphe, dataset, folder):
@@ -58,7 +61,8 @@ def run_dataset(morphe, dataset, folder):
 
 def print_alarms(title, flags, failures):
     """Returns the number of recordings with a false alarm."""
-    wrong = {name: [flag for flag in found if (name, flag.code) not in TRUE_FLAGS] for name, found in flags.items()}
+    wrong = {name: [flag for flag in found if (name, flag.code) not in TRUE_FLAGS and flag.code not in NOT_OF_DAMAGE]
+             for name, found in flags.items()}
     wrong = {name: found for name, found in wrong.items() if found}
     print(f"{title}: {len(flags)} recordings, {len(wrong)} with a false alarm, {len(failures)} lines about others")
     for name, found in wrong.items():

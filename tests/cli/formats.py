@@ -27,7 +27,7 @@ CERTIFICATE = ("joint_limit_margin velocity_ratio acceleration_ratio jerk_ratio 
                "tip_error_max tip_error_mean tip_error_grasp tip_orientation_error_max "
                "upper_arm_error_mean upper_arm_error_max forearm_error_mean forearm_error_max "
                "swivel_error_mean swivel_error_max palm_error_mean palm_error_max "
-               "wrist_speed_correlation duration_ratio humanlikeness_mapped "
+               "wrist_speed_correlation held_drift held_turn duration_ratio humanlikeness_mapped "
                "humanlikeness_final sparc_robot sparc_human log_dimensionless_jerk_robot "
                "log_dimensionless_jerk_human repaired").split()
 PLAN = {
@@ -69,7 +69,8 @@ MARKERS = {"markers/time": ("N", "s", None), "markers/position": ("NM3", "m", "w
 
 MEANINGS = {
     "mapped/status": "0=met,1=compromise,2=out_of_reach,3=no_goal",
-    "trajectory/phase": "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return",
+    "trajectory/phase": "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return,"
+                        "7=approach,8=lift,9=place,10=release,11=retreat,12=home",
     "trajectory/origin": "0=mapped,1=re_solved,2=planned",
 }
 

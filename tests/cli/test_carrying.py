@@ -108,7 +108,7 @@ class Carrying(CommandCase):
         with h5py.File(self.plans) as file:
             plan = file["plans"][PLAN]
             self.assertEqual(text(plan.attrs["reason"]), "goal_in_collision")
-            self.assertRegex(text(plan.attrs["detail"]), "^cup is .* mm too close to bead, ")
+            self.assertRegex(text(plan.attrs["detail"]), "^delivered until the end of grasp, .*: cup is .* mm too close to bead, ")
             self.assertIn("scene.target.carried_by=palm", text(plan.attrs["detail"]))
         self.assertEqual(self.violations(), ([], []))
 

@@ -20,7 +20,8 @@ NO_LIES = {"a_sample_left_out", "every_nth_sample", "a_position_moved", "a_veloc
            "mapped_elsewhere"}
 # These plans have an approach, no goals of orientation, no pad that sinks in, and end with the grasp.
 NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "tip_orientation_error_max_in_the_certificate",
-            "a_penetration_deeper", "an_obstacle_on_the_way_of_the_target", "released_in_the_air"}
+            "a_penetration_deeper", "an_obstacle_on_the_way_of_the_target", "released_in_the_air",
+            "held_drift_in_the_certificate", "held_turn_in_the_certificate", "a_home_after_the_return"}
 
 
 def setUpModule():

@@ -207,7 +207,7 @@ class Skeletons(Journey):
         bvh = SOURCE / "datasets/cmu-iclone-bvh/006_15.bvh"
         printed = self.arrives("import", bvh, "--out", "out.h5").stdout
         self.assertIn("--unit cm: ", self.said)
-        self.assertIn("configs/names/iclone.yaml", printed)
+        self.assertIn("names mapped by iclone.yaml", printed)
         self.succeeds("import", SOURCE / "datasets/cmu-iclone-bvh/recordings.yaml", "--out",
                       self.folder / "known.h5")
         with h5py.File(self.folder / "known.h5") as known:

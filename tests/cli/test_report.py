@@ -55,6 +55,9 @@ class Report(unittest.TestCase):
 
     def holds(self, page, row, group):
         certificate = group["certificate"].attrs
+        kinds = group["certificate/clearance_by_kind"]
+        self.assertEqual([each["kind"] for each in row["certificate"].pop("clearance_by_kind")],
+                         list(kinds["kind"].asstr()))
         for key, value in row["certificate"].items():
             stored = certificate[key]
             if value is None:

@@ -68,7 +68,7 @@ class ReportGrasp(CommandCase):
         self.assertIsNone(self.row(page)["physics"])
         self.assertIn(f"{PLAN}: skipped: the simulation belongs to another plan", printed)
         for broken in ("{}", "[", json.dumps({"format": 1, "version": 1, "plan_sha256": 2}),
-                       json.dumps(results | {"version": 2})):
+                       json.dumps(results | {"version": 3})):
             file.write_text(broken)
             done = morphe("report", PLANS, "--out", self.folder / "none.html", "--simulation", file.parent)
             self.refuses(done, file)

@@ -121,7 +121,7 @@ MISTAKES = {
         ("infer: true", "infer: 1", "infer"),
         ("thickness: 0.02", "thickness: 2 cm", "thickness"),
         ("thickness: 0.02", "thickness: 0", "thickness"),
-        ("height: 0.1", "height: -0.1", "height"),
+        ("thickness: 0.02", "thickness: -0.02", "thickness"),
         ("height: 0.1", "hight: 0.1", "hight"),
         ("name: bowl, shape", "shape", "name"),
         ("position: [0.5, 0.5, 0.1]", "position: [0.5, 0.5, 0.1, 0]", "position"),

@@ -51,7 +51,10 @@ class Simulate(CommandCase):
                              *arguments)
 
     def rows(self, folder):
-        with open(self.folder / folder / TABLE, newline="") as file:
+        return self.rows_of(self.folder / folder)
+
+    def rows_of(self, folder):
+        with open(folder / TABLE, newline="") as file:
             return list(csv.DictReader(file))
 
     def test_a_row_a_rollout_and_a_reason_for_every_plan_without(self):
@@ -128,8 +131,9 @@ class Simulate(CommandCase):
         rows = self.rows("out")
         for row in rows:
             required = float(row["required_force_lift_N"])
-            held = "1" if required <= float(row["commanded_force_N"]) else "0"
-            self.assertEqual(row["predicted_held"], held)
+            ratio = float(row["commanded_force_N"]) / required
+            foretold = "holds" if ratio >= 1.15 else "near_limit" if ratio >= 1 / 1.15 else "falls"
+            self.assertEqual(row["forecast"], foretold)
             self.assertGreaterEqual(float(row["required_force_worst_N"]),
                                     0.98 * float(row["required_force_gravity_N"]))
             # It presses with what it is sent to.
@@ -137,7 +141,24 @@ class Simulate(CommandCase):
                 self.assertLess(abs(float(row["measured_force_N"]) - float(row["commanded_force_N"])), 2.5)
             self.assertEqual(row["contact_source"], "planned")
         self.assertEqual({row["held"] for row in rows}, {"0", "1"})
-        self.assertIn("force prediction was right in", result.stdout)
+        self.assertIn("lifts foretold to hold or fall: right in", result.stdout)
+
+    def test_a_plan_that_carries_its_target_is_executed_to_its_end(self):
+        plans = planned_sample("--set", "segment.plan_until=return")
+        # Glue: two fingers with the torsion of a real pad let a cup swing when the palm turns.
+        result = self.succeeds("simulate", plans, "--out", self.folder / "out", *FINE, "--rollouts", 1, "--json",
+                               "--friction", "2", "--torsional-friction", "0.02", "--only", GRASP)
+        plan = json.loads(result.stdout)["plans"][0]
+        self.assertEqual((plan["plan"], plan["tasks"]), (GRASP, 1))
+        row, = self.rows("out")
+        task = json.loads((self.folder / "out/ADL001DR2_000.json").read_text())["rollouts"][0]["task"]
+        self.assertEqual(row["task"], task["failure"])
+        self.assertEqual(plan["tasks_done"], 1 if task["failure"] == "none" else 0)
+        self.assertEqual(float(row["rise_m"]), task["rise_m"])
+        self.assertGreater(task["rise_m"], 0.2)  # to the mouth; a lift would end at 0.1 m
+        self.assertLess(task["arm_error"], 1.0)
+        # A plan that ends with its grasp is lifted.
+        self.assertEqual({(row["task"], row["rise_m"]) for row in self.rows_of(SIMULATED)}, {("", "")})
 
     def test_a_file_of_servos(self):
         servos = self.folder / "servos.yaml"

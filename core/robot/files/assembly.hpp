@@ -62,6 +62,7 @@ struct Assembly {
   std::vector<FixedJoint> fixed_joints;
   std::vector<NaturalJoint> natural;
   std::vector<std::string> checks;  ///< of all files
+  std::vector<Assumption> assumed;  ///< of all files
   config::ErrorList problems;       ///< all errors found, thrown together at the end
 };
 

@@ -139,6 +139,27 @@ void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config:
   }
 }
 
+/// Reads `assumed: {limits: TEXT, mount: TEXT, geometry: TEXT}`. The values begin with the name of
+/// the file's robot. A file without the key, which states limits or mounts parts, leaves it open
+/// where they are from.
+void read_assumed(Assembly& assembly, const config::ConfigNode& root) {
+  const auto add = [&](Knowable subject, const std::string& value) {
+    assembly.assumed.push_back({AssumptionKind::assumed, std::string(name_of(subject)),
+                                fmt::format("{}: {}", root["name"].text(), value)});
+  };
+  if (!root.has("assumed")) {
+    const char* open = "its description does not say where they are from (key `assumed`)";
+    if (root.has("chains") || root.has("generate")) add(Knowable::limits, open);
+    if (root.has("parts")) add(Knowable::mount, open);
+    return;
+  }
+  for (const Knowable subject : kAssumedSubjects) {
+    const std::string key(name_of(subject));
+    if (root["assumed"].has(key))
+      assembly.problems.attempt([&] { add(subject, root["assumed"][key].text()); });
+  }
+}
+
 /// Reads `natural_posture: [{joint, follow, value}]`.
 void read_natural_posture(Assembly& assembly, const FileScope& scope,
                           const config::ConfigNode& root) {
@@ -209,6 +230,7 @@ FileScope read_description(const config::ConfigNode& root, const MountPoint& bas
   attempt([&] { read_centres(assembly, scope, optional_items(root, "joint_centres")); });
   for (const config::ConfigNode& sentence : optional_items(root, "check"))
     attempt([&] { assembly.checks.push_back(sentence.text()); });
+  read_assumed(assembly, root);
   if (root.has("collision")) read_collision(assembly, scope, root["collision"]);
   if (assembly.problems.none()) root.require_all_keys_read();
   if (assembly.chains.empty() && assembly.problems.none()) root.fail("has no chains");
@@ -229,9 +251,9 @@ RobotDescription build_description(const config::ConfigNode& root) {
   problems.throw_if_any();
   finalize_robot(assembly);
   problems.throw_if_any();
-  return {std::move(assembly.table),   std::move(assembly.files), std::move(assembly.notes),
-          std::move(assembly.natural), std::move(assembly.links), std::move(assembly.urdfs),
-          std::move(assembly.checks)};
+  return {std::move(assembly.table),   std::move(assembly.files),  std::move(assembly.notes),
+          std::move(assembly.natural), std::move(assembly.links),  std::move(assembly.urdfs),
+          std::move(assembly.checks),  std::move(assembly.assumed)};
 }
 
 }  // namespace

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "core/motion/assumption.hpp"
 #include "core/motion/robot_model.hpp"
 
 namespace morphe::robot {
+
+/// The subjects of the key `assumed` of a description.
+inline constexpr std::array<Knowable, 3> kAssumedSubjects{Knowable::limits, Knowable::mount,
+                                                          Knowable::geometry};
 
 /// The natural posture of a joint, which applies while no goal determines the joint: q = value, or
 /// q = q_follow + value if `follow` is not empty.
@@ -33,6 +39,8 @@ struct RobotDescription {
   std::vector<UrdfSource> urdfs;
   /// Sentences on what its author assumed, to be checked before the robot is used.
   std::vector<std::string> checks;
+  /// What its files state as assumed, and not known from the manufacturer (key `assumed`).
+  std::vector<Assumption> assumed;
 };
 
 }  // namespace morphe::robot

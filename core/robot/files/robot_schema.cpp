@@ -199,7 +199,12 @@ Schema robot_schema() {
         "replace the derived joint centres of that chain"},
        {"collision", collision_schema(), "capsules and which of them may touch"},
        {"check", list_schema(scalar_schema()),
-        "sentences on what is assumed, to be checked before the robot is used"}});
+        "sentences on what is assumed, to be checked before the robot is used"},
+       {"assumed",
+        object_schema({{"limits", scalar_schema(), "limits that the manufacturer does not publish"},
+                       {"mount", scalar_schema(), "how parts are mounted on each other"},
+                       {"geometry", scalar_schema(), "bodies, fingertips, chains"}}),
+        "what is not known from the manufacturer, stored with every plan"}});
 }
 
 }  // namespace morphe::robot

@@ -71,8 +71,13 @@ function physicsParts(physics) {
   const directionEntries = physics.load_directions > 0 ? [["held under load in six directions",
     `${physics.load_directions_held} of ${physics.load_directions}${physics.load_directions_held < physics.load_directions
         ? ` (${failureText(physics.direction_failures)})` : ""}`]] : [];
+  const taskEntries = physics.tasks > 0 ? [
+    ["carried, put down and let go as planned", `${physics.tasks_done} of ${physics.tasks}`],
+    ["displacement in the palm, error of the place, tilt (medians of held)",
+     `${millimetres(physics.palm_offset_m, 1)} mm, ${millimetres(physics.place_error_m, 1)} mm, ${numberText(physics.tilt_deg)}°`]] : [];
   return [title, figureList([
-    ["held 5 s after the lift", `${physics.held} of ${countText(physics.rollouts, "rollout")}`],
+    [physics.tasks > 0 ? "held until the release" : "held 5 s after the lift", `${physics.held} of ${countText(physics.rollouts, "rollout")}`],
+    ...taskEntries,
     ["failures", failureText(physics.failures) || "none"],
     ...directionEntries,
     ["droop, slip, drift (medians of held)",
@@ -80,7 +85,7 @@ function physicsParts(physics) {
     ["tracking error, arm and hand",
      `${numberText(physics.arm_error)}°, ${numberText(physics.hand_error)}°`],
     ["largest torque (share of limit)", `${(100 * physics.torque_ratio).toFixed(0)} %`],
-    ["force required to lift, commanded", `${newtonsText(physics.required_force_N)}, ${newtonsText(physics.commanded_force_N)}`],
+    [`force required to ${physics.tasks > 0 ? "carry" : "lift"}, commanded`, `${newtonsText(physics.required_force_N)}, ${newtonsText(physics.commanded_force_N)}`],
     ["friction, torsion, mass",
      `${numberText(physics.friction)}, ${millimetres(physics.torsional_friction_m, 1)} mm, ${numberText(physics.mass_kg)} kg`],
     ["grasp force", physics.contact_source === "planned" ? "from the plan" : "at the nearest points of the fingers with goals"]])];

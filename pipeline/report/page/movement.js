@@ -95,9 +95,32 @@ function branchOf({ branch_words: words = [], branch_changes: changes = [] }) {
   return [build("p", {}, build("b", {}, "branch "), plainText([words.join(", "), ...changes].join("; ")))];
 }
 
+const kAssumptionKinds = [["inferred", "inferred"], ["assumed", "assumed"], ["set_by_hand", "set by hand"],
+                          ["not_looked_at", "not looked at"]];
+
+// What the certificate holds for, and on what it rests; files of earlier versions say nothing.
+function certificateOf(row) {
+  const clearances = (row.certificate.clearance_by_kind ?? []).map(({ kind, clearance, first, second, time }) =>
+    build("li", {}, plainText(`${kind} clearance ${(1e3 * clearance).toFixed(2)} mm, ${first} and ${second} at ${time.toFixed(2)} s`)));
+  const assumptions = [...row.assumptions, ...report.runs[row.run].assumptions];
+  const kinds = kAssumptionKinds.flatMap(([kind, heading]) => {
+    const texts = assumptions.filter((each) => each.kind === kind).map(({ text }) => text);
+    if (texts.length === 0) return [];
+    return [build("dt", {}, heading), ...texts.map((text) => build("dd", {}, plainText(text)))];
+  });
+  if (clearances.length === 0 && kinds.length === 0) return [];
+  const certified = row.status === "infeasible"
+    ? [build("dd", {}, "no trajectory, hence no certificate")]
+    : [build("dd", {}, "limits, collisions and tracking, along the curve and between its samples"),
+       build("dd", {}, build("ul", {}, ...clearances))];
+  return [build("details", { class: "certificate" },
+                build("summary", {}, "certified / assumed / not looked at"),
+                build("dl", {}, build("dt", {}, "certified"), ...certified, ...kinds))];
+}
+
 function reasonOf(plan, row) {
-  const flags = [...branchOf(row), ...flagsOf(row)];
-  if (row.status !== "infeasible")
+  const flags = [...branchOf(row), ...flagsOf(row), ...certificateOf(row)];
+  if (row.reason === "")
     return row.detail ? [build("p", {}, plainText(row.detail)), ...flags] : flags;
   const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),
                  build("p", {}, plainText(row.detail)), ...flags];
@@ -217,7 +240,8 @@ function statesNow() {
 
 function instantText(now) {
   if (!now) return "no motion";
-  const phases = ["rest", "reach", "preshape", "grasp", "hold", "transport", "return"];
+  const phases = ["rest", "reach", "preshape", "grasp", "hold", "transport", "return",
+                  "approach", "lift", "place", "release", "retreat", "home"];
   const phase = isGoalMotion(now.motion) ? phases[valueAt(now.motion.phase, now.index)] : now.motion.name;
   return `robot ${state.time.toFixed(3)} s · demonstration ${now.demonstration_s.toFixed(3)} s · ${phase}`;
 }

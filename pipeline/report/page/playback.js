@@ -86,11 +86,14 @@ export function timeOfDemonstration(plan, demonstration_s) {
   return timedMotion.begin + from + share * (valueAt(timedMotion.motion.time, next) - from);
 }
 
-const kGraspingPhases = [3, 4]; // grasp and hold
+// True in grasp and hold, boundaries included.
+const isGrasping = (phases, demonstration_s) => phases.some(({ name, begin_s, end_s }) =>
+  (name === "grasp" || name === "hold") && begin_s <= demonstration_s && demonstration_s <= end_s);
 
 // The tolerance of a fingertip at a row of a motion of a plan [m].
-export const tipTolerance = ({ tolerances }, { phase }, index) =>
-  (kGraspingPhases.includes(valueAt(phase, index)) ? tolerances.tracking_tolerance_grasp : tolerances.tracking_tolerance);
+export const tipTolerance = ({ tolerances }, { phases }, { demonstration_time }, index) =>
+  (isGrasping(phases, valueAt(demonstration_time, index))
+    ? tolerances.tracking_tolerance_grasp : tolerances.tracking_tolerance);
 
 // Pairs of bodies that touch at a row of a motion.
 export function touchingPairs({ touching }, row) {

@@ -62,10 +62,10 @@ function jointEntry({ name, lower, upper, prismatic }, index) {
   });
 }
 
-const tipEntry = ({ row }, { name }, index) =>
+const tipEntry = ({ row, plan }, { name }, index) =>
   entryOf(name, { kind: "finger", index }, 2, ({ motion, index: sample }) => {
     if (!motion.tip_error) return [];
-    return [valueAt(motion.tip_error, sample, index), tipTolerance(row, motion, sample)]
+    return [valueAt(motion.tip_error, sample, index), tipTolerance(row, plan, motion, sample)]
       .map((metres) => `${numberText(1e3 * metres)} mm`);
   });
 

@@ -46,7 +46,7 @@ function tipPlot({ plan, robot, row }) {
   const tips = robot.tips.length;
   return plotOf("Fingertip error", "mm", series, rowsOverMotions(plan, tips + 1, (motion, k, i) => {
     if (!motion.tip_error) return NaN;
-    return 1e3 * (i < tips ? valueAt(motion.tip_error, k, i) : tipTolerance(row, motion, k));
+    return 1e3 * (i < tips ? valueAt(motion.tip_error, k, i) : tipTolerance(row, plan, motion, k));
   }));
 }
 

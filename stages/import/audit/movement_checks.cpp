@@ -11,17 +11,20 @@ std::string validation_error(const AuditOptions& options) {
   return options.max_goal_gap_s >= 0 ? "" : "max_goal_gap_s must not be negative";
 }
 
+void accept_flags(const Demonstration& recording, std::vector<RecordingFlag>& flags) {
+  const std::vector<AcceptedFlag>& accepted = recording.accepted_flags;
+  for (RecordingFlag& flag : flags) {
+    if (std::ranges::find(accepted, flag.code, &AcceptedFlag::code) != accepted.end())
+      flag.response = FlagResponse::accepted;
+  }
+}
+
 std::vector<RecordingFlag> check_movement(const AuditedMovement& audited,
                                           const AuditOptions& options) {
-  const std::vector<AcceptedFlag>& accepted = audited.recording.accepted_flags;
   std::vector<RecordingFlag> flags;
-  for (const auto check : {check_target, check_goals, check_completeness, check_grasp}) {
-    for (RecordingFlag& flag : check(audited, options)) {
-      if (std::ranges::find(accepted, flag.code, &AcceptedFlag::code) != accepted.end())
-        flag.response = FlagResponse::accepted;
-      flags.push_back(std::move(flag));
-    }
-  }
+  for (const auto check : {check_target, check_goals, check_completeness, check_grasp})
+    std::ranges::move(check(audited, options), std::back_inserter(flags));
+  accept_flags(audited.recording, flags);
   return flags;
 }
 

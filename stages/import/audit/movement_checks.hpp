@@ -35,6 +35,9 @@ std::vector<RecordingFlag> check_completeness(const AuditedMovement& audited,
 /// A task that takes an object has a grasp (grasp_presence.cpp).
 std::vector<RecordingFlag> check_grasp(const AuditedMovement& audited, const AuditOptions& options);
 
+/// Sets the response of the flags that a recording accepts.
+void accept_flags(const Demonstration& recording, std::vector<RecordingFlag>& flags);
+
 /// Returns the flags of all checks above; accepted are those with a code that the recording
 /// accepts.
 std::vector<RecordingFlag> check_movement(const AuditedMovement& audited,

@@ -14,6 +14,7 @@
 #include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 #include "stages/import/folders/static_pairing.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/name_words.hpp"
 
 namespace morphe::imports {
@@ -73,11 +74,11 @@ void pair_entry(const DatasetFile& file, const std::optional<StaticPair>& pair,
     const DatasetFile& static_trial = statics[pair->static_index];
     const std::string& subject = static_trial.descriptor.subject;
     entry.static_trial = static_trial.path.string();
-    entry.notes.push_back(fmt::format(
-        "static trial: {}{}", static_trial.display_name,
-        pair->candidate_count > 1
-            ? fmt::format(", chosen from {} that may be of this person", pair->candidate_count)
-            : ""));
+    entry.notes.push_back(fmt::format("static trial: {}{}", static_trial.display_name,
+                                      pair->candidate_count > 1
+                                          ? fmt::format("{} {} that may be of this person",
+                                                        kStaticTrialChosen, pair->candidate_count)
+                                          : ""));
     if (!subject.empty() && !file.descriptor.subject.empty() &&
         subject != file.descriptor.subject) {
       entry.notes.push_back(

@@ -23,7 +23,6 @@ constexpr std::array<std::string_view, 3> names_of(HandSelection) {
 
 // The beginnings of notes of a ManifestEntry that the summary of an import counts.
 inline constexpr std::string_view kNoStaticTrial = "no static trial found";
-inline constexpr std::string_view kRightHandAssumed = "right hand assumed";
 inline constexpr std::string_view kMovingStaticTrial = "named like a static trial";
 
 /// An entry of a manifest. A relative path in the manifest begins at the manifest's folder.

@@ -7,6 +7,7 @@
 
 #include "stages/import/folders/manifest.hpp"
 #include "stages/import/folders/recording_descriptor.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/name_sides.hpp"
 #include "stages/import/trackers/hand_curl.hpp"
 
@@ -33,7 +34,7 @@ ReachingHand reaching_hand(const Demonstration& demonstration,
     const double curl_m = finger_curl_m(hand->position);
     if (std::abs(curl_m) > kMinCurl_m) {
       const Side side = curl_m < 0 ? Side::right : Side::left;
-      return {side, fmt::format("the {} hand, judged by the curl of its fingers", name_of(side))};
+      return {side, fmt::format("the {} hand, {}", name_of(side), kHandCurls)};
     }
   }
   const std::vector<NameSide> sides = sides_of_names(descriptor.points);
@@ -48,8 +49,8 @@ ReachingHand reaching_hand(const Demonstration& demonstration,
   }
   if (right_m.empty() || left_m.empty()) {
     const Side side = left_m.empty() ? Side::right : Side::left;
-    return {side, fmt::format("the {0} hand reaches: the file has only points of the {0} side",
-                              name_of(side))};
+    return {side, fmt::format("the {0} {1}the file has only points of the {0} side", name_of(side),
+                              kHandReaches)};
   }
   const double right = mean_largest_deviation(right_m), left = mean_largest_deviation(left_m);
   if (std::max(right, left) <= std::max(kMinRms_m, kMinRmsRatio * std::min(right, left))) {

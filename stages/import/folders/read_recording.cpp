@@ -15,6 +15,7 @@
 #include "stages/import/guess/heading.hpp"
 #include "stages/import/guess/name_map.hpp"
 #include "stages/import/guess/unresolved_import.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -116,6 +117,7 @@ Demonstration read_recording(const ManifestEntry& entry, bool questioned) {
   if (!entry.labels.empty()) demonstration.labels = entry.labels;
   demonstration.import_notes.insert(demonstration.import_notes.end(), entry.notes.begin(),
                                     entry.notes.end());
+  demonstration.assumptions = assumptions_in(demonstration.import_notes);
   if (const std::string error = store::inconsistency(demonstration); !error.empty())
     throw InputError(fmt::format("{}: {}", entry.file, error));
   return demonstration;

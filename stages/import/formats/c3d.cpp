@@ -8,6 +8,7 @@
 #include "stages/import/formats/c3d_file.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
@@ -35,10 +36,8 @@ MarkerRecording read_c3d_recording(const std::filesystem::path& file,
   const Vec3 forward = up.cross(right);
   if (conventions.axes.empty() && !forward.isZero()) {
     recording.axes = fmt::format("{} {} {}", axis_word(right), axis_word(forward), axis_word(up));
-    add_note(recording.import_notes,
-             "axes '{}' from POINT:X_SCREEN and Y_SCREEN; the subject is assumed to face into the "
-             "screen",
-             recording.axes);
+    add_note(recording.import_notes, "axes '{}' from POINT:X_SCREEN and Y_SCREEN; {}",
+             recording.axes, kFacesScreen);
   }
   MarkerStream& markers = recording.markers;
   markers.names = std::move(points.labels);

@@ -9,6 +9,8 @@
 #include "core/motion/input_error.hpp"
 #include "stages/import/formats/capture_file.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
+#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/recording/format.hpp"
 
 namespace morphe::imports {
@@ -64,10 +66,10 @@ Demonstration read_liberty_csv(const RecordingFiles& files) {
   if (demonstration.calibration.sensors && demonstration.streams.sensors) {
     demonstration.sensor_offsets = human::sensor_offsets(demonstration.calibration, notes);
   } else if (demonstration.streams.sensors) {
-    notes.push_back("no calibration pose: the sensors are assumed to be at the joints");
+    add_note(notes, "no calibration pose: {}", kSensorsAtJoints);
   }
   if (demonstration.streams.hand && !demonstration.calibration.hand)
-    notes.push_back("no flat hand recorded: the zero of the glove is used");
+    add_note(notes, "no flat hand recorded: {}", kGloveZero);
   return demonstration;
 }
 

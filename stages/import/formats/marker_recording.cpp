@@ -8,6 +8,7 @@
 #include "stages/import/formats/extract_joints.hpp"
 #include "stages/import/recording/apply_name_map.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/repeated_names.hpp"
 #include "stages/import/recording/unseen_points.hpp"
 #include "stages/import/trackers/add_note.hpp"
@@ -71,10 +72,11 @@ void report_no_static(Demonstration& demonstration) {
   };
   if (!any("upper arm") && !any("forearm")) return;
   if (any("elbow, outer") && any("elbow, inner") && any("wrist, thumb") && any(" shoulder")) return;
-  demonstration.import_notes.push_back(
-      "no static trial: joint centres are estimated from the relative rotation of marker clusters; "
-      "in the shipped trials this displaced the shoulder by 39 to 65 mm, elbow and wrist by up to "
-      "25 mm; give one with --static-trial or `static_trial:`");
+  add_note(demonstration.import_notes,
+           "{} are estimated from the relative rotation of marker clusters; in the shipped trials "
+           "this displaced the shoulder by 39 to 65 mm, elbow and wrist by up to "
+           "25 mm; give one with --static-trial or `static_trial:`",
+           kNoStaticTrialEstimate);
 }
 
 void bring_into_world(MarkerRecording& recording, const std::string& source,
@@ -83,8 +85,7 @@ void bring_into_world(MarkerRecording& recording, const std::string& source,
   if (axes.empty()) {
     if (usual_axes.empty()) throw_unknown_axes(source);
     axes = usual_axes;
-    add_note(recording.import_notes, "axes not in the file; assumed '{}' (right, forward, up)",
-             axes);
+    add_note(recording.import_notes, "{} '{}' (right, forward, up)", kAxesAssumed, axes);
   }
   const bool points_only = recording.bodies.poses.names.empty();
   const Eigen::Matrix3d world_from_file =

@@ -10,6 +10,7 @@
 #include "stages/import/formats/marker_columns.hpp"
 #include "stages/import/formats/marker_recording.hpp"
 #include "stages/import/formats/readers.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/repeated_names.hpp"
 #include "stages/import/trackers/add_note.hpp"
 #include "stages/import/trackers/hand_tracker.hpp"
@@ -131,7 +132,7 @@ MarkerRecording read_qualisys_file(const std::filesystem::path& file,
   const double rate_hz = resolve_rate_hz(number_in_header(text, header, "FREQUENCY"), conventions,
                                          text.file, recording.import_notes);
   if (conventions.unit.empty())
-    recording.import_notes.push_back("unit not in the file; assumed mm, as written by Qualisys");
+    add_note(recording.import_notes, "{} mm, as written by Qualisys", kUnitAssumed);
   recording.unit_m = metres_per_unit(conventions.unit.empty() ? "mm" : conventions.unit, text.file);
   recording.markers.names = header.markers;
   read_frames_of(text, header, recording.unit_m, rate_hz, recording);

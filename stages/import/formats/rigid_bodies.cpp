@@ -53,6 +53,7 @@ void add_object(const RigidBodies& bodies, int k, Demonstration& demonstration) 
     object.name = name;
     object.shape = Shape::box;
     object.size = {sizes.x(), sizes.y(), sizes.z()};
+    object.shape_origin = ObjectOrigin::inferred;
     add_note(demonstration.import_notes,
              "object {}: assumed a box of {:.0f} x {:.0f} x {:.0f} mm around the markers of the "
              "rigid body; set `target.body` in a config for another shape",

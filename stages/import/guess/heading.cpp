@@ -9,6 +9,7 @@
 #include "stages/import/guess/constants.hpp"
 #include "stages/import/guess/convention_guess.hpp"
 #include "stages/import/guess/rotate_demonstration.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 
 namespace morphe::imports {
 namespace {
@@ -70,12 +71,10 @@ std::string heading_report(const HeadingEstimate& facing) {
       std::abs(facing.yaw_rad) > kLargeYaw_rad
           ? fmt::format(
                 "the person faces {:.0f} degrees away from the forward axis: the recording was "
-                "rotated about the vertical, so that the person faces Y ({})",
-                std::abs(degrees), reason)
-          : fmt::format(
-                "recording rotated by {:.1f} degrees about the vertical, so that the person faces "
-                "Y ({})",
-                degrees, reason);
+                "rotated about the vertical, {} ({})",
+                std::abs(degrees), kFacesY, reason)
+          : fmt::format("recording rotated by {:.1f} degrees about the vertical, {} ({})", degrees,
+                        kFacesY, reason);
   if (facing.heading_changes)
     text += "; the person turns later: facing direction of the first second";
   return text;

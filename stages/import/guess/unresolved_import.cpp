@@ -13,6 +13,7 @@
 #include "stages/import/guess/plausibility.hpp"
 #include "stages/import/guess/recording_summary.hpp"
 #include "stages/import/recording/arm_names.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/repeated_rows.hpp"
 
 namespace morphe::imports {
@@ -200,8 +201,8 @@ void propose_conventions(const RecordingFormat& format, RecordingFiles files,
 
 Demonstration read_with_name_map(const ShippedNameMap& shipped, const RecordingFormat& format,
                                  RecordingFiles files, const std::string& manifest) {
-  const std::string note = fmt::format("names mapped by {}, whose names are all in the recording",
-                                       shipped.file.string());
+  const std::string note = fmt::format("{} {}, whose names are all in the recording", kNamesMapped,
+                                       shipped.file.filename().string());
   files.name_map = shipped.names;
   try {
     Demonstration demonstration = read_or_propose(format, files, manifest);

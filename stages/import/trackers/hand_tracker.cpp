@@ -94,6 +94,7 @@ SceneObject placeholder_sphere(const std::string& name, std::vector<std::string>
   ball.name = name;
   ball.shape = Shape::sphere;
   ball.size = {kPlaceholderRadius_m};
+  ball.shape_origin = ObjectOrigin::inferred;
   add_note(reports,
            "object {}: only its pose was recorded; assumed a ball of {:.0f} mm diameter at its "
            "origin; set `target.body` in a config for its shape",

@@ -8,6 +8,7 @@
 
 #include "core/math/statistics.hpp"
 #include "core/motion/geometry.hpp"
+#include "stages/import/recording/assumption_notes.hpp"
 #include "stages/import/recording/conventions.hpp"
 #include "stages/import/trackers/add_note.hpp"
 
@@ -47,8 +48,8 @@ double seconds_per_unit(const std::string& column, const std::string& unit,
     if (unit == name) return seconds;
     const double period_s = step * seconds;
     if (!unit.empty() || !(period_s >= kMinRowPeriod_s && period_s < kMaxRowPeriod_s)) continue;
-    add_note(reports, "unit of '{}' not in the file; assumed {}, {:.4g} rows per second", column,
-             name, 1 / period_s);
+    add_note(reports, "unit of '{}' {} {}, {:.4g} rows per second", column, kTimeUnitAssumed, name,
+             1 / period_s);
     return seconds;
   }
   return 1;

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/collision/constants.hpp"
 #include "core/collision/continuous_check.hpp"
 #include "core/collision/fcl_engine.hpp"
@@ -166,6 +168,33 @@ TEST(CarriedBody, IsCheckedWhereItWasReleasedAgainstWhatMovesThere) {
   ball.orientation.push_back(Quat::Identity());
   c.add(ball);
   EXPECT_EQ(c.failure(), "cup/ball");
+}
+
+TEST(CarriedBody, TheWayAfterTheReleaseIsCheckedInOneMotion) {
+  Lifting c(0, 0);
+  c.position(6, 0) = 1;  // the hand leaves, into a post
+  c.add(still_body("post", Shape::cylinder, {0.02, 0.4}, Vec3(1, 0, 0.2)));
+  // Every border of the motion's parts is inside: contacts begin and end, the cup is taken, lifted,
+  // lowered and released.
+  ASSERT_EQ(c.world.touch_begin_s > 0 && c.world.touch_end_s < 5, true);
+  ASSERT_EQ(c.world.carried.supports.size(), 1u);
+  ASSERT_LT(c.world.carried.supports[0].lowered_s, 5);
+  const JointMotion whole{0, 5,
+                          [&](double s, JointVector& q) {
+                            const auto after = std::ranges::upper_bound(c.time, s);
+                            const auto k = std::min<std::ptrdiff_t>(after - c.time.begin(), 6) - 1;
+                            const double share = (s - c.time[k]) / (c.time[k + 1] - c.time[k]);
+                            q = (1 - share) * c.position.row(k) + share * c.position.row(k + 1);
+                          },
+                          [](double s0, double s1, JointVector& travel) {
+                            travel = JointVector::Constant(2, 0.5 * (s1 - s0));  // 0.5 m/s at most
+                          },
+                          [](double s) { return s; }};
+  const MotionCheck check = check_motion(c.world, whole, c.scratch);
+  ASSERT_EQ(check.verdict, MotionVerdict::colliding);
+  EXPECT_EQ(second_body_name(c.world, check.pair), "post");
+  EXPECT_NEAR(motion_clearance(c.world, whole, c.scratch).distance, -0.04, 1e-3)
+      << "axes cross: both radii";
 }
 
 TEST(CarriedBody, IsReleasedInTheAirFarFromEverything) {

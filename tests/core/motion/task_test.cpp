@@ -18,6 +18,15 @@ TEST(Task, IsKnownByItsWordsInAnyForm) {
     EXPECT_EQ(kind_of_task(task), TaskKind::unknown) << task;
 }
 
+TEST(Task, ContainsWholeWords) {
+  EXPECT_TRUE(contains_word("Drink, slowly", "drink"));
+  EXPECT_TRUE(contains_word("stack and DRINK", "drink"));
+  EXPECT_TRUE(contains_word("drinking a drink", "drink"));
+  for (const char* task : {"", "drinking", "undrink", "dri nk"})
+    EXPECT_FALSE(contains_word(task, "drink")) << task;
+  EXPECT_FALSE(contains_word("drink", ""));
+}
+
 TEST(Revisit, IsOneAtTheSamePlaceAndZeroHalfwayOfTheShorterWay) {
   const Vec3 place(0.1, 0.2, 0.3);
   EXPECT_DOUBLE_EQ(revisit_score(place, place, 0.2, 0.5), 1);

@@ -4,7 +4,7 @@ import sys
 import h5py
 import numpy as np
 
-from contract import attributes, flags, shapes, text
+from contract import assumptions, attributes, flags, shapes, text
 
 with h5py.File(sys.argv[1]) as file:
     assert text(file.attrs["format"]) == "morphe-demonstrations" and file.attrs["version"] == 3
@@ -38,7 +38,7 @@ with h5py.File(sys.argv[1]) as file:
                               "orientation": ((k + 1, 4), "f", "1", "world")}.items()},
         "objects/apple/vertices": ((4, 3), "f", "m", "object"),
         "objects/apple/triangles": ((2, 3), "i", "1", None),
-        **flags(3), "accepted_flags/code": ((2,), "S", "", None),
+        **flags(3), **assumptions(2), "accepted_flags/code": ((2,), "S", "", None),
         "labels/begin_s": ((2,), "f", "s", None),
         "labels/end_s": ((2,), "f", "s", None),
         "labels/phase": ((2,), "S", "", None),

@@ -4,9 +4,10 @@ import sys
 import h5py
 import numpy as np
 
-from contract import attributes, flags, shapes, text
+from contract import assumptions, attributes, flags, shapes, text
 
-PHASES = "0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return"
+PHASES = ("0=rest,1=reach,2=preshape,3=grasp,4=hold,5=transport,6=return,"
+          "7=approach,8=lift,9=place,10=release,11=retreat,12=home")
 ORIGINS = "0=mapped,1=re_solved,2=planned"
 
 
@@ -75,7 +76,7 @@ CERTIFICATE = ["joint_limit_margin", "velocity_ratio", "acceleration_ratio", "je
                "tip_error_max", "tip_error_mean", "tip_error_grasp",
                "tip_orientation_error_max", "upper_arm_error_mean", "upper_arm_error_max",
                "forearm_error_mean", "forearm_error_max", "swivel_error_mean", "swivel_error_max", "palm_error_mean",
-               "palm_error_max", "wrist_speed_correlation", "natural_posture_error", "duration_ratio",
+               "palm_error_max", "wrist_speed_correlation", "held_drift", "held_turn", "natural_posture_error", "duration_ratio",
                "humanlikeness_mapped", "humanlikeness_final", "sparc_robot", "sparc_human",
                "log_dimensionless_jerk_robot", "log_dimensionless_jerk_human", "repaired"]
 
@@ -141,7 +142,7 @@ with h5py.File(sys.argv[1]) as file:
     shapes(full, {
         **frames(4, 2, 3), **rows(2, 2, 5, 3, 2), **trajectory("trajectory", 6),
         **trajectory("approach", 2), **trajectory("retreat", 3),
-        **flags(3), **repair(2), **findings_of("remaining_findings", 1),
+        **flags(3), **assumptions(2), **repair(2), **findings_of("remaining_findings", 1),
         **{f"scene/{name}/{data}": what for k, name in enumerate(scene)
            for data, what in {"time": ((k + 1,), "f", "s", None),
                               "position": ((k + 1, 3), "f", "m", "base"),
@@ -154,6 +155,8 @@ with h5py.File(sys.argv[1]) as file:
         "grasp/palm_pose_in_object": ((4, 4), "f", "m", "object"),
         "grasp/tips_in_object": ((2, 3), "f", "m", "object"),
         "certificate/unchecked_links": ((1,), "S", "", None),
+        **{f"certificate/clearance_by_kind/{name}": ((2,), kind, unit, None) for name, kind, unit in [
+            ("kind", "S", ""), ("clearance", "f", "m"), ("first", "S", ""), ("second", "S", ""), ("time", "f", "s")]},
         "branch_words": ((2,), "S", "", None), "branch_changes": ((1,), "S", "", None),
         "grasp/grasp_posture": ((3,), "f", "rad or m", None),
         "grasp/pregrasp_posture": ((3,), "f", "rad or m", None),
@@ -185,6 +188,10 @@ with h5py.File(sys.argv[1]) as file:
     assert list(full["remaining_findings/subject"].asstr()) == ["index_tip"]
     assert text(full["scene/cup"].attrs["attached_frame"]) == "palm"
     assert full["scene/cup"].attrs["attach_s"] == 1.25
+    assert [text(full["scene/cup"].attrs[f"{of}_origin"]) for of in ("pose", "shape")] == ["inferred", "configured"]
+    assert "pose_origin" not in full["scene/zebra"].attrs
+    assert list(full["certificate/clearance_by_kind/kind"].asstr()) == ["self", "target"]
+    assert list(file["assumptions/kind"].asstr()) == ["set_by_hand", "inferred"]
     assert full["goals"].attrs["common_base_offset"].shape == (3,)
 
     shapes(bare, {**frames(0, 0, 0), **rows(0, 0, 0, 0, 0)})

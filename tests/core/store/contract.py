@@ -33,3 +33,8 @@ def flags(count):
     return {**{f"flags/{name}": ((count,), "S", "", None) for name in ("code", "response", "subject", "unit", "text")},
             **{f"flags/{name}": ((count,), "f", "s", None) for name in ("begin_s", "end_s")},
             **{f"flags/{name}": ((count,), "f", "unit of the row", None) for name in ("value", "limit")}}
+
+
+def assumptions(count):
+    """assumptions/ of a file, a demonstration or a plan."""
+    return {f"assumptions/{name}": ((count,), "S", "", None) for name in ("kind", "subject", "value")}

@@ -68,7 +68,7 @@ DAMAGES = {
                             for name, rest in (("time", ()), ("position", (3,)),
                                                ("orientation", (4,)))],
     "triangle": lambda f: set_item(f, PLAN + "scene/apple/triangles", (0, 0), 4),
-    "phase": lambda f: set_item(f, PLAN + "trajectory/phase", 0, 7),
+    "phase": lambda f: set_item(f, PLAN + "trajectory/phase", 0, 13),
     "origin": lambda f: set_item(f, PLAN + "path/origin", 0, 3),
     "mapped_status": lambda f: set_item(f, PLAN + "mapped/status", 0, 4),
     "grasp_sample": lambda f: f[PLAN + "grasp"].attrs.modify("sample", 6),

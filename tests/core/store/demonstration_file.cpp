@@ -59,6 +59,7 @@ void expect_same(const Demonstration& a, const Demonstration& b) {
   expect_same(a.calibration, b.calibration);
   store::expect_same(a.objects, b.objects);
   store::expect_same(a.flags, b.flags);
+  EXPECT_EQ(a.assumptions, b.assumptions);
   ASSERT_EQ(a.accepted_flags.size(), b.accepted_flags.size());
   for (std::size_t i = 0; i < a.accepted_flags.size(); ++i) {
     EXPECT_SAME(accepted_flags[i].code);

@@ -120,6 +120,8 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(palm_error_mean);
   EXPECT_SAME(palm_error_max);
   EXPECT_SAME(wrist_speed_correlation);
+  EXPECT_SAME(held_drift);
+  EXPECT_SAME(held_turn);
   EXPECT_SAME(duration_ratio);
   EXPECT_SAME(humanlikeness_mapped);
   EXPECT_SAME(humanlikeness_final);
@@ -127,6 +129,14 @@ void expect_same(const Certificate& a, const Certificate& b) {
   EXPECT_SAME(sparc_human);
   EXPECT_SAME(log_dimensionless_jerk_robot);
   EXPECT_SAME(log_dimensionless_jerk_human);
+  ASSERT_EQ(a.clearance_by_kind.size(), b.clearance_by_kind.size());
+  for (std::size_t i = 0; i < a.clearance_by_kind.size(); ++i) {
+    EXPECT_SAME(clearance_by_kind[i].kind);
+    EXPECT_SAME(clearance_by_kind[i].clearance);
+    EXPECT_SAME(clearance_by_kind[i].first);
+    EXPECT_SAME(clearance_by_kind[i].second);
+    EXPECT_SAME(clearance_by_kind[i].time_s);
+  }
 }
 
 void expect_same(const Finding& a, const Finding& b) {
@@ -188,6 +198,11 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(tolerances.max_missing_goal_share);
   EXPECT_SAME(tolerances.max_goal_gap_s);
   EXPECT_SAME(approximate);
+  ASSERT_EQ(a.delivered.has_value(), b.delivered.has_value());
+  if (a.delivered) {
+    EXPECT_SAME(delivered->until);
+    EXPECT_SAME(delivered->requested_end_s);
+  }
   expect_same(a.goals, b.goals);
   store::expect_same(a.scene.objects, b.scene.objects);
   EXPECT_SAME(reference_frames.base_from_world);
@@ -204,6 +219,7 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(mapped.natural_posture_error);
   EXPECT_SAME(repaired);
   store::expect_same(a.flags, b.flags);
+  EXPECT_EQ(a.recording_assumptions, b.recording_assumptions);
   expect_same(a.findings, b.findings);
   expect_same(a.remaining_findings, b.remaining_findings);
   expect_same(a.repair, b.repair);
@@ -259,11 +275,14 @@ void write_plans(const std::filesystem::path& file, const std::vector<Plan>& pla
 
 TEST(PlanFile, ReturnsEveryFieldBitForBit) {
   const auto file = fresh_file("plans.h5");
-  std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0)};
-  plans.back().approximate = true;
+  std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0),
+                          full_plan("bb", 0)};
+  plans[2].approximate = true;
+  plans[3].delivered = {PhaseKind::release, 3.25};
+  plans[3].reason = Reason::no_path;
   write_plans(file, plans);
   const PlanReader reader(file);
-  EXPECT_THAT(reader.plan_paths(), ElementsAre("zz/000", "zz/001", "aa/000"));
+  EXPECT_THAT(reader.plan_paths(), ElementsAre("zz/000", "zz/001", "aa/000", "bb/000"));
   expect_same(small_robot(), reader.robot());
   for (std::size_t i = 0; i < plans.size(); ++i) expect_same(plans[i], reader.read(i));
 }
@@ -284,6 +303,7 @@ TEST(PlanFile, ReturnsTheHeader) {
     EXPECT_SAME(inputs[i].path);
     EXPECT_SAME(inputs[i].text);
   }
+  EXPECT_EQ(a.assumptions, b.assumptions);
 }
 
 TEST(PlanFile, SameCallsSameBytes) {

@@ -25,6 +25,8 @@ inline void expect_same(const std::vector<SceneObject>& all_a,
     EXPECT_SAME(attached_frame);
     EXPECT_SAME(attach_s);
     EXPECT_SAME(release_s);
+    EXPECT_SAME(pose_origin);
+    EXPECT_SAME(shape_origin);
   }
 }
 

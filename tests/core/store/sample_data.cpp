@@ -117,6 +117,8 @@ std::vector<SceneObject> objects() {
   all[1].attached_frame = "palm";
   all[1].attach_s = 1.25;
   all[1].release_s = 2.5;
+  all[1].pose_origin = all[2].shape_origin = ObjectOrigin::inferred;
+  all[1].shape_origin = ObjectOrigin::configured;
   all[4].vertices = number.points(4);
   all[4].triangles = {{0, 1, 2}, {3, 2, 1}};
   return all;
@@ -132,13 +134,18 @@ Trajectory trajectory(Numbers& number, std::size_t samples) {
   t.demonstration_time = number.many(samples);
   t.clearance = number.many(samples);
   for (std::size_t i = 0; i < samples; ++i) {
-    t.phase.push_back(static_cast<PhaseKind>((i + 1) % 7));
+    t.phase.push_back(static_cast<PhaseKind>((i + 1) % enum_count<PhaseKind>()));
     t.origin.push_back(static_cast<SampleOrigin>((i + 1) % 3));
   }
   return t;
 }
 
 /// Flags with and without an interval, one for each response.
+std::vector<Assumption> assumptions() {
+  return {{AssumptionKind::set_by_hand, "map.starts", "64"},
+          {AssumptionKind::inferred, "heading", "rotated by 3°"}};
+}
+
 std::vector<RecordingFlag> flags() {
   return {{FlagCode::spike, FlagResponse::mended, 1.42, 1.43, "RFTP", 20, 5, "m/s", "RFTP jumps"},
           {FlagCode::mirrored, FlagResponse::flagged, kUnknown, kUnknown, "", kUnknown, kUnknown,
@@ -166,6 +173,7 @@ Demonstration full_demonstration(const std::string& name) {
   demo.calibration = full_streams(number, HandKind::keypoints);
   demo.objects = objects();
   demo.flags = flags();
+  demo.assumptions = assumptions();
   demo.accepted_flags = {{FlagCode::jitter}, {FlagCode::no_grasp}};
   demo.labels = {{0.1, 0.2, PhaseKind::reach}, {0.2, kUnknown, PhaseKind::grasp}};
   return demo;
@@ -209,6 +217,7 @@ PlanFileHeader plan_header() {
   header.inputs = {{"../robots/pa10.yaml", "name: pa10\n"},
                    {"../robots/dlr.yaml", "name: dlr_hit2 °\n"},
                    {"human.yaml", ""}};
+  header.assumptions = assumptions();
   return header;
 }
 
@@ -253,6 +262,7 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
   plan.flags = flags();
+  plan.recording_assumptions = assumptions();
   plan.findings = {{0.6, 0.7, Cause::object_collision, "finger", "table", 0.01},
                    {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02, FindingUnit::radian, 1.5}};
   plan.repair = {{0, "detour", 0.55, 0.75, 0.3, 1, 0, 0.002, "tracking: index_tip", true, ""},
@@ -282,10 +292,14 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.trajectory = trajectory(number, 6);
   plan.approach = trajectory(number, 2);
   plan.retreat = trajectory(number, 3);
-  plan.certificate = {number(), number(), number(), number(), number(), number(), number(),
-                      number(), kUnknown, number(), number(), number(), number(), number(),
-                      number(), number(), number(), number(), number(), number(), number(),
-                      number(), number(), number(), number(), {"fixed"}};
+  plan.certificate = {number(), number(), number(), number(),  number(), number(),
+                      number(), number(), kUnknown, number(),  number(), number(),
+                      number(), number(), number(), number(),  number(), number(),
+                      number(), number(), number(), number(),  number(), number(),
+                      number(), number(), number(), {"fixed"}, {}};
+  plan.certificate.clearance_by_kind = {
+      {ClearanceKind::self, number(), "palm", "forearm", number()},
+      {ClearanceKind::target, number(), "palm", "cup", number()}};
   plan.mapped.natural_posture_error = number();
   plan.repaired = true;
   return plan;

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/collision/world.hpp"
 #include "core/robot/files/description.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "tests/pipeline/planning/shipped_reach.hpp"
@@ -92,6 +94,46 @@ TEST(Contacts, AreOnlyThereWhereTheConfigAsksForThem) {
   EXPECT_FALSE(plan.tolerances.max_link_penetration);
   EXPECT_EQ(plan.goals.tip_to_pad_share.rows, 0U);
   EXPECT_TRUE(plan.grasp.contacts.empty());
+}
+
+/// Returns the largest gap between a pad that touches at the grasp and the target in the palm, over
+/// the samples in which it is carried, with poses computed here [m].
+double widest_gap_while_carried(const Plan& plan) {
+  const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
+  const SceneObject& cup = *find_object(plan.scene.objects, plan.movement.target);
+  double widest = -kInfinity;
+  std::optional<Pose> palm_from_cup;
+  std::vector<Pose> base_from_frame;
+  for (std::size_t i = 0; i < plan.trajectory.samples(); ++i) {
+    const double time_s = plan.trajectory.demonstration_time[i];
+    if (time_s < cup.attach_s || time_s > cup.release_s) continue;
+    const JointVector q = plan.trajectory.position.row(static_cast<Eigen::Index>(i)).transpose();
+    robot::forward_kinematics(robot, q, base_from_frame);
+    const Pose& base_from_palm = base_from_frame[static_cast<std::size_t>(robot.palm_frame)];
+    if (!palm_from_cup) palm_from_cup = base_from_palm.inverse() * recorded_pose(cup, time_s);
+    const Pose cup_from_base = (base_from_palm * *palm_from_cup).inverse();
+    for (const PadContact& contact : plan.grasp.contacts) {
+      if (contact.state != ContactState::touching) continue;
+      const auto tip =
+          std::ranges::find(robot.tips, contact.tip, &RobotModel::Tip::name) - robot.tips.begin();
+      const Vec3 pad = cup_from_base * robot::tracked_point(robot, base_from_frame, tip, 1);
+      const double radius = robot.pads[static_cast<std::size_t>(tip)].radius;
+      widest = std::max(widest, pad.head<2>().norm() - cup.size[0] - radius);
+    }
+  }
+  return widest;
+}
+
+TEST(Contacts, HoldTheCupAsOneBodyToTheMouthAndBack) {
+  const Plan plan = planned_drink({"grasp.close_fingers=true", "segment.plan_until=return"});
+  ASSERT_TRUE(plan.executable()) << plan.detail;
+  const SceneObject& cup = *find_object(plan.scene.objects, plan.movement.target);
+  EXPECT_EQ(cup.attached_frame.empty(), false);
+  EXPECT_GT(cup.time.size(), 100U) << "the recorded way is the goal";
+  EXPECT_LT(plan.certificate.held_drift, 0.0005);
+  EXPECT_LT(plan.certificate.held_turn, 1 * kRadPerDegree);
+  EXPECT_LT(widest_gap_while_carried(plan), 0.0002 + 0.0005);
 }
 
 /// The least room at any sample when pads may sink in by 1 mm, and other links not at all [m].

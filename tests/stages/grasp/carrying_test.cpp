@@ -51,22 +51,47 @@ TEST(Carrying, BeginsWithTheFirstTransportThatIsPlanned) {
   EXPECT_TRUE(std::isnan(carrying_begin_s(movement)));
 }
 
+/// A plan with a movement and a grasp whose pads do not move in the hand.
+Plan plan_of(const Movement& movement, const Grasp& grasp) {
+  Plan plan;
+  plan.movement = movement;
+  plan.grasp = grasp;
+  plan.certificate.held_drift = plan.certificate.held_turn = 0;
+  return plan;
+}
+
 TEST(Carrying, NeedsTwoOpposedContactsThatTouch) {
   const robot::Robot robot(
       robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
   Grasp grasp = three_pads();
-  EXPECT_FALSE(check_held(robot, drink(), grasp));
+  EXPECT_FALSE(check_held(robot, plan_of(drink(), grasp)));
   grasp.contacts[0].state = ContactState::near;
-  const PlanningFailure lost = check_held(robot, drink(), grasp);
+  const PlanningFailure lost = check_held(robot, plan_of(drink(), grasp));
   EXPECT_EQ(lost.reason, Reason::not_held);
   EXPECT_THAT(lost.detail, HasSubstr("cup is carried from 1.50 s on without two opposed contacts"));
   EXPECT_THAT(lost.detail, HasSubstr("thumb_tip is near it (gap 1.6 mm, pad 76 degrees off)"));
   EXPECT_THAT(lost.detail, HasSubstr("index_tip touches it"));
   Movement reach = drink();
   reach.end_s = 1.5;
-  EXPECT_FALSE(check_held(robot, reach, grasp)) << "nobody carries it";
+  EXPECT_FALSE(check_held(robot, plan_of(reach, grasp))) << "nobody carries it";
   grasp.contacts.clear();
-  EXPECT_THAT(check_held(robot, drink(), grasp).detail, HasSubstr("no pad touches it"));
+  EXPECT_THAT(check_held(robot, plan_of(drink(), grasp)).detail, HasSubstr("no pad touches it"));
+}
+
+TEST(Carrying, NeedsPadsThatKeepStillInTheHand) {
+  const robot::Robot robot(
+      robot::load_robot(MORPHE_SOURCE_DIR "/configs/robots/pa10_dlr_hit2.yaml").table);
+  Plan plan = plan_of(drink(), three_pads());
+  plan.certificate.held_drift = 0.0004;
+  plan.certificate.held_turn = 0.9 * kRadPerDegree;
+  EXPECT_FALSE(check_held(robot, plan));
+  plan.certificate.held_drift = 0.0006;
+  EXPECT_THAT(check_held(robot, plan).detail, HasSubstr("move by 0.60 mm"));
+  plan.certificate.held_drift = 0;
+  plan.certificate.held_turn = 1.1 * kRadPerDegree;
+  EXPECT_EQ(check_held(robot, plan).reason, Reason::not_held);
+  plan.certificate.held_turn = kUnknown;
+  EXPECT_EQ(check_held(robot, plan).reason, Reason::not_held) << "unknown is not still";
 }
 
 TEST(Carrying, ThreeFingersHoldWithForceClosureThoughNoTwoAreOpposed) {

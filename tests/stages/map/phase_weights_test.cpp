@@ -34,6 +34,17 @@ TEST(PhaseWeights, NothingJumpsAtABoundary) {
   EXPECT_NEAR(last, 2, 1e-12);
 }
 
+TEST(PhaseWeights, ALiftHasThoseOfItsTransportUnlessItIsListed) {
+  std::vector<Phase> phases{{PhaseKind::transport, 0, 2}};
+  std::vector<PhaseWeights> weights{{PhaseKind::transport, 3, 1, 1, 1}};
+  const double without = weights_at(weights, phases, 0.98, 0.2).tip_position;
+  phases.push_back({PhaseKind::lift, 0, 1});
+  EXPECT_NEAR(weights_at(weights, phases, 0.98, 0.2).tip_position, without, 1e-12);
+  weights.push_back({PhaseKind::lift, 5, 1, 1, 1});
+  EXPECT_NEAR(weights_at(weights, phases, 0.5, 0.2).tip_position, 5, 1e-12);
+  EXPECT_NEAR(weights_at(weights, phases, 1.5, 0.2).tip_position, 3, 1e-12);
+}
+
 TEST(PhaseWeights, RefusesAPhaseNamedTwiceAndNegativeWeights) {
   EXPECT_NE(validation_error({{PhaseKind::reach, 1, 1, 1, 1}, {PhaseKind::reach, 1, 1, 1, 1}}), "");
   EXPECT_NE(validation_error({{PhaseKind::reach, -1, 1, 1, 1}}), "");

@@ -490,8 +490,8 @@ TEST(Retime, OptionsAreReadAndChecked) {
   EXPECT_EQ(error_of("{duration_s: 2}"),
             "x:1: duration_s: must be given with mode duration, and only with it");
   EXPECT_EQ(error_of("{phase_speed: [{phase: lunch, scale: 1}]}"),
-            "x:1: phase_speed[0].phase: must be rest, reach, preshape, grasp, hold, transport or "
-            "return, not 'lunch'");
+            "x:1: phase_speed[0].phase: must be rest, reach, preshape, grasp, hold, transport, "
+            "return, approach, lift, place, release, retreat or home, not 'lunch'");
   EXPECT_EQ(error_of("{max_tip_speed: 0}"), "x:1: max_tip_speed: must be at least 0.001");
 }
 

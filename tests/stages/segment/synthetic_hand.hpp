@@ -69,9 +69,11 @@ inline SyntheticHand drinking_hand() {
   return hand;
 }
 
+/// Returns the kinds of the main phases.
 inline std::vector<PhaseKind> kinds(const Movement& movement) {
   std::vector<PhaseKind> result;
-  for (const Phase& phase : movement.phases) result.push_back(phase.kind);
+  for (const Phase& phase : movement.phases)
+    if (main_phase_of(phase.kind) == phase.kind) result.push_back(phase.kind);
   return result;
 }
 

@@ -89,7 +89,9 @@ PlanResult some_result() {
   rollout.measured_force_N = {4, 5.5};
   rollout.lift = {Failure::pivot, "words", {1, 2}, {3, 4}, {5, 6}, 7, 1.0 / 3};
   rollout.load_directions = {{Failure::none, "", {1, 2}, {3, 4}, {5, 6}, 7, kInfinity}};
-  result.rollouts = {rollout, rollout};
+  Rollout carried = rollout;
+  carried.task = {Failure::tilted, 0.1, {1, 2}, 1.0 / 3, {3, 4}, kNotMeasured, 12.5, kNotMeasured};
+  result.rollouts = {rollout, carried};
   return result;
 }
 

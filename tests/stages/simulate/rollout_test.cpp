@@ -109,7 +109,10 @@ TEST_F(Rollouts, ThePredictedForcesTellHoldFromFall) {
       EXPECT_EQ(one.commanded_force_N, 5);
       EXPECT_NEAR(one.required_force_gravity_N, mass * 9.81 / (2 * friction), 0.02 * needed);
       EXPECT_GE(one.required_force_worst_N, 0.98 * one.required_force_gravity_N);
-      EXPECT_EQ(one.predicts_hold(one.lift), one.lift.is_held()) << friction << " " << mass;
+      const Forecast forecast = one.forecast(one.lift);
+      EXPECT_EQ(forecast == Forecast::near_limit, std::abs(std::log(5 / needed)) < std::log(1.15));
+      if (forecast == Forecast::near_limit) continue;
+      EXPECT_EQ(forecast == Forecast::holds, one.lift.is_held()) << friction << " " << mass;
     }
   }
 }

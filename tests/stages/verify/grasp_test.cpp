@@ -9,6 +9,7 @@
 #include "planar_plan.hpp"
 #include "stages/verify/finger_jacobian.hpp"
 #include "stages/verify/grasp_config.hpp"
+#include "stages/verify/held_drift.hpp"
 #include "stages/verify/verify.hpp"
 
 namespace morphe::verify {
@@ -175,6 +176,28 @@ TEST(VerifyGrasp, ATargetThatIsCarriedIsHeldByTwoOpposedContacts) {
   EXPECT_EQ(found_in(plan).count("contact opposed"), 0u);
   plan.grasp.contacts[1].state = ContactState::near;
   EXPECT_EQ(found_in(plan).count("contact opposed"), 1u) << "which is only near";
+}
+
+TEST(VerifyGrasp, FingersThatMoveWhileTheyCarryAreMeasuredInThePalm) {
+  Plan plan = grasping();
+  plan.movement.phases.push_back({PhaseKind::transport, 2.5, 2.8, 1});
+  plan.grasp.sample = 50;
+  Certificate own;
+  recompute_held_drift(planar::robot(), plan, own);
+  // The palm is the upper arm: the distal link turns by the elbow's angle and twice the finger's.
+  const auto end_of = [](const Eigen::Vector3d& q) {
+    const double finger = q[1] + q[2], distal = q[1] + 2 * q[2] + 0.1;
+    return Eigen::Vector2d(
+        0.25 * std::cos(q[1]) + 0.08 * std::cos(finger) + 0.06 * std::cos(distal),
+        0.25 * std::sin(q[1]) + 0.08 * std::sin(finger) + 0.06 * std::sin(distal));
+  };
+  const Eigen::Vector3d before = planar::position_at(0.5), after = planar::position_at(1);
+  EXPECT_NEAR(own.held_turn, (after[1] - before[1]) + 2 * (after[2] - before[2]), 1e-9);
+  EXPECT_NEAR(own.held_drift, (end_of(after) - end_of(before)).norm(), 1e-9);
+  plan.movement.end_s = 2.5;
+  Certificate carries_nothing;
+  recompute_held_drift(planar::robot(), plan, carries_nothing);
+  EXPECT_TRUE(std::isnan(carries_nothing.held_drift));
 }
 
 TEST(VerifyGrasp, JudgesTheGoalsOfPads) {

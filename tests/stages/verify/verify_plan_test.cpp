@@ -520,27 +520,34 @@ TEST(VerifyPlan, APlanThatReachesItsGoalsIsNotApproximate) {
 }
 
 TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
-  VerifyReport report{2, 3, 1, {}};
+  VerifyReport report{2, 3, 0, 1, {}, {}, {}};
   EXPECT_EQ(verify_json(report),
-            "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": []}\n");
+            "{\"executable\": 2, \"approximate\": 3, \"partial\": 0, \"infeasible\": 1, "
+            "\"violations\": [], \"assumptions\": []}\n");
   report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31, "rad/s^3"},
                        {"a\"b/000", 8, 0.016, "tracking", "thumb", 0.012, 0.01, "m"},
                        {"c/001", -1, 0, "certificate", "duration_ratio", kUnknown, 1.25, ""}};
   EXPECT_EQ(
       verify_json(report),
-      "{\"executable\": 2, \"approximate\": 3, \"infeasible\": 1, \"violations\": [\n"
+      "{\"executable\": 2, \"approximate\": 3, \"partial\": 0, \"infeasible\": 1, \"violations\": "
+      "[\n"
       "  {\"plan\": \"a\\\"b/000\", \"sample\": 7, \"time_s\": 0.014, \"cause\": \"jerk\", "
       "\"subject\": \"S1\", \"value\": 31.5, \"limit\": 31, \"unit\": \"rad/s^3\"},\n"
       "  {\"plan\": \"a\\\"b/000\", \"sample\": 8, \"time_s\": 0.016, \"cause\": \"tracking\", "
       "\"subject\": \"thumb\", \"value\": 0.012, \"limit\": 0.01, \"unit\": \"m\"},\n"
       "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
-      "\"subject\": \"duration_ratio\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n]}\n");
+      "\"subject\": \"duration_ratio\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n], "
+      "\"assumptions\": []}\n");
   EXPECT_THAT(verify_text(report),
               testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5 rad/s^3, limit 31 rad/s^3\n"));
   EXPECT_THAT(verify_text(report), testing::HasSubstr("tracking thumb: 12 mm, limit 10 mm\n"));
   EXPECT_THAT(verify_text(report),
               testing::EndsWith("2 executable, 3 approximate, 1 infeasible, 3 violations\n"));
-  report.approximate = 0;
+  report.partial = 4;
+  EXPECT_THAT(
+      verify_text(report),
+      testing::EndsWith("2 executable, 3 approximate, 4 partial, 1 infeasible, 3 violations\n"));
+  report.approximate = report.partial = 0;
   EXPECT_THAT(verify_text(report),
               testing::EndsWith("\n2 executable, 1 infeasible, 3 violations\n"));
 }
