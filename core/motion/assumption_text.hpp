@@ -18,7 +18,7 @@ MORPHE_EXPORT std::vector<Assumption> all_assumptions(const PlanFileHeader& head
                                                       const Plan& plan);
 
 /// Returns an assumption as a phrase: "limits: pa10: …", or "map.starts=64" for a setting.
-std::string phrase(const Assumption& assumption);
+MORPHE_EXPORT std::string phrase(const Assumption& assumption);
 
 /// The assumptions of many plans, counted by kind and subject. Of several values, the first one
 /// stands for all.
@@ -31,15 +31,15 @@ struct AssumptionTally {
 
 /// Returns one line for each kind with the subjects of its assumptions, and the number of plans if
 /// these are not all; "" without assumptions.
-std::string subject_lines(const std::vector<Assumption>& of_file, const AssumptionTally& of_plans,
-                          int plan_count);
+MORPHE_EXPORT std::string subject_lines(const std::vector<Assumption>& of_file,
+                                        const AssumptionTally& of_plans, int plan_count);
 /// Returns one line for each assumption, with the kind in front of the first of its kind.
-std::string assumption_lines(const std::vector<Assumption>& assumptions);
+MORPHE_EXPORT std::string assumption_lines(const std::vector<Assumption>& assumptions);
 
 /// Returns the clearances by kind as one phrase: "self 3.3 mm (a, b at 1.20 s), table 12.1 mm …".
-std::string clearance_phrase(const Certificate& certificate);
+MORPHE_EXPORT std::string clearance_phrase(const Certificate& certificate);
 
 /// Returns one line on what the certificate of an executable plan holds for, or on its absence.
-std::string certified_line(const Plan& plan);
+MORPHE_EXPORT std::string certified_line(const Plan& plan);
 
 }  // namespace morphe

@@ -104,7 +104,7 @@ struct HeldInterval {
 /// Returns the interval in which the fingers of a hand that carries its target keep still: from
 /// kSettling_s before the last grasp to kSettling_s after the last transport. Unknown if the
 /// movement carries nothing.
-HeldInterval held_interval(const Movement& movement);
+MORPHE_EXPORT HeldInterval held_interval(const Movement& movement);
 
 /// Returns the last phase of a kind, or null if there is no such phase.
 MORPHE_EXPORT const Phase* last_phase(const Movement& movement, PhaseKind kind);
