@@ -10,9 +10,9 @@
 
 namespace morphe {
 
-/// How a plan came by a value that was not measured: it was inferred from the recording; it was
-/// assumed without data; it was set by hand, against the config file or the defaults; or no step
-/// has looked at it at all.
+/// The way in which a plan came by a value that was not measured: it was inferred from the
+/// recording; it was assumed without data; it was set by hand, against the config file or the
+/// defaults; or no step has looked at it at all.
 enum class AssumptionKind : std::uint8_t { inferred, assumed, set_by_hand, not_looked_at };
 /// Returns the names of the values, in their order.
 constexpr std::array<std::string_view, 4> names_of(AssumptionKind) {

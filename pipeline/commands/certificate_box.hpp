@@ -9,7 +9,7 @@
 
 namespace morphe::commands {
 
-/// What the certificates of several plans hold for, and on what they rest.
+/// The properties for which the certificates of several plans hold, and their assumptions.
 struct CertificateBox {
   AssumptionTally tally;                                 ///< over the plans with a trajectory
   int plans = 0;                                         ///< with a trajectory

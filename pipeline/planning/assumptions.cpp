@@ -12,7 +12,7 @@ namespace {
 
 using Kind = AssumptionKind;
 
-/// What no step of the pipeline looks at, whatever the config is.
+/// The subjects that no step of the pipeline looks at, whatever the config is.
 const std::vector<Assumption>& not_looked_at() {
   static const std::vector<Assumption> all{
       {Kind::not_looked_at, "torque", "joint torques of the arm, by gravity and by its motion"},

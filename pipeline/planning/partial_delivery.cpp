@@ -50,7 +50,7 @@ std::vector<Phase> permitted_cuts(const Movement& movement, PartialPlans partial
     if (!ends_plan || !inside || &phase != last_phase(movement, phase.kind)) continue;
     if (partial == PartialPlans::in_air || !is_in_air(movement, phase.end_s)) cuts.push_back(phase);
   }
-  // Of those that end together, the one that refines the others comes first.
+  // Puts the phase that refines others first among those that end together.
   std::ranges::reverse(cuts);
   std::ranges::stable_sort(cuts, std::ranges::greater{}, &Phase::end_s);
   return cuts;

@@ -53,7 +53,7 @@ struct PipelineConfig {
   retime::RetimeOptions retime;
   std::optional<ApproachOptions> approach;  ///< if absent: no approach and retreat
   std::optional<PartsOptions> split;        ///< if absent: no planning in parts
-  /// What may not be assumed or inferred: a movement is not planned if it is.
+  /// Subjects that must not be assumed or inferred; otherwise a movement is not planned.
   std::vector<Knowable> must_be_known;
 };
 template <class Fields>

@@ -61,6 +61,8 @@ HoldInterval hold_interval(const Movement& movement) {
   interval.release_s = transport ? transport->end_s : kInfinity;
   const HeldInterval held = held_interval(movement);
   interval.closed_s = std::isnan(held.begin_s) ? interval.begin_s : held.begin_s;
+  if (!(interval.open_s < interval.closed_s))  // a preshape shorter than kSettling_s
+    interval.open_s = interval.closed_s - kReleaseDuration_s;
   interval.opening_s = std::isnan(held.end_s) ? interval.release_s : held.end_s;
   return interval;
 }

@@ -39,7 +39,7 @@ struct RobotDescription {
   std::vector<UrdfSource> urdfs;
   /// Sentences on what its author assumed, to be checked before the robot is used.
   std::vector<std::string> checks;
-  /// What its files state as assumed, and not known from the manufacturer (key `assumed`).
+  /// Properties that its files state as assumed, not known from the manufacturer (key `assumed`).
   std::vector<Assumption> assumed;
 };
 

@@ -84,6 +84,16 @@ TEST(HeldGoals, BeginAndEndWithTimeToSettle) {
   EXPECT_LT(closing_progress(hold, 2.6), 1);
 }
 
+TEST(HeldGoals, CloseInTimeThoughTheHandOpensJustBeforeTheGrasp) {
+  Movement movement = TurnedCup().movement;
+  movement.phases[1].begin_s = 0.98;  // the preshape is shorter than the hand takes to settle
+  const HoldInterval hold = hold_interval(movement);
+  EXPECT_EQ(closing_progress(hold, 0.5), 0);
+  EXPECT_GT(closing_progress(hold, 0.9), 0);
+  EXPECT_EQ(closing_progress(hold, 0.97), 1);
+  EXPECT_EQ(closing_progress(hold, 2), 1);
+}
+
 /// A plan that carries the cup with a touching index finger, and turns its outer joint by `turn`.
 Plan plan_with_turned_index(double turn, double at_s) {
   const robot::Robot& robot = reference_robot();
