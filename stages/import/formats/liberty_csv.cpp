@@ -10,8 +10,8 @@
 #include "stages/import/formats/capture_file.hpp"
 #include "stages/import/formats/readers.hpp"
 #include "stages/import/recording/assumption_notes.hpp"
-#include "stages/import/trackers/add_note.hpp"
 #include "stages/import/recording/format.hpp"
+#include "stages/import/trackers/add_note.hpp"
 
 namespace morphe::imports {
 namespace {
