@@ -7,7 +7,8 @@ verify_plans.py, which must accept it too.
 Every lie is one of the KINDS below, of a random size beyond what docs/formats.md tolerates. The forger
 is no fool: after the lie, the certificate, the clearance of samples and the figures of mapped frames are
 made to agree with it, as `morphe verify` would have them. --each: every kind once on every plan, and a
-table of what is found. Exit 1: verify accepted a plan that the judge rejects."""
+table of what is found; kinds of the family "recording" only on files with their demonstrations.h5 beside
+them. Exit 1: verify accepted a plan that the judge rejects."""
 import argparse
 import collections
 import hashlib
@@ -23,79 +24,13 @@ import h5py
 import numpy as np
 
 import verify_plans
+from forger import KINDS, Forger, Unfit, carried, lie, need, transfer
 from verify_geometry import Robot, asked_points, text
 
-KINDS = {}  # name -> (family, whether it changes the file as a whole, function)
+import forged_carried  # noqa: F401, registers kinds
+import forged_form  # noqa: F401, registers kinds
+
 BATCH = 100  # plans in a file
-
-
-def lie(family, whole_file=False):
-    def register(function):
-        KINDS[function.__name__] = (family, whole_file, function)
-        return function
-    return register
-
-
-class Unfit(Exception):
-    """The plan has nothing of what a kind would forge."""
-
-
-def need(condition):
-    if not condition:
-        raise Unfit
-
-
-class Forger:
-    """One plan, and a size for the lie: 1 to 1000 times the least that must be found."""
-
-    def __init__(self, plan, rng):
-        self.plan, self.rng, self.file = plan, rng, plan.file
-        self.size = 10**rng.uniform(0.1, 3)
-        self.sign = rng.choice([-1, 1])
-
-    def row(self, name, least=0):
-        rows = len(self.plan[name])
-        need(rows > least)
-        return int(self.rng.integers(least, rows))
-
-    def joint(self):
-        return int(self.rng.integers(len(self.file["robot/joint_names"])))
-
-    def add(self, name, by, where=None):
-        need(name in self.plan and self.plan[name].size)
-        values = self.plan[name][()]
-        flat = values.reshape(-1)
-        seen = np.flatnonzero(np.isfinite(flat))
-        need(len(seen))
-        where = int(self.rng.choice(seen)) if where is None else where
-        flat[where] += self.sign * by * self.size
-        self.plan[name][...] = values
-
-    def phase(self, *names):
-        found = [k for k, name in enumerate(self.plan["phases/name"][()]) if text(name) in names]
-        need(found)
-        return int(self.rng.choice(found))
-
-    def resize(self, name, values):
-        attributes = dict(self.plan[name].attrs)
-        del self.plan[name]
-        self.plan[name] = values
-        self.plan[name].attrs.update(attributes)
-
-    def target(self):
-        name = text(self.plan.attrs["target"])
-        need(name and name in self.plan["scene"])
-        return self.plan["scene"][name]
-
-    def object(self):
-        need(len(self.plan["scene"]))
-        return self.plan["scene"][str(self.rng.choice(list(self.plan["scene"])))]
-
-    def scale(self, attributes, name):
-        """Larger, or smaller: never by less than a thousandth."""
-        value = attributes[name]
-        need(np.isfinite(value))
-        attributes[name] = value * (1 + self.sign * min(0.9, 1e-3 * self.size)) + (value == 0) * 1e-3 * self.size
 
 
 # Motion
@@ -269,6 +204,144 @@ def a_config_that_says_otherwise(f):
 @lie("tolerances and config", True)
 def a_hash_of_another_config(f):
     f.file.attrs["config_sha256"] = np.bytes_(hashlib.sha256(b"another").hexdigest())
+
+
+# Inputs: the hash of all of them agrees with the lie
+
+def inputs_lie(function):
+    def forge(f):
+        function(f)
+        f.file.attrs["inputs_sha256"] = np.bytes_(verify_plans.inputs_hash(f.file))
+    forge.__name__ = function.__name__
+    lie("inputs", True)(forge)
+
+def input_names(f, *endings):
+    names = []
+    f.file["inputs"].visit(lambda name: names.append(name) if name.endswith(endings) else None)
+    need(names)
+    return names
+
+def put_input(f, name, content):
+    """An array of bytes; a text from a text."""
+    del f.file["inputs"][name]
+    f.file["inputs"][name] = np.frombuffer(content, np.uint8) if isinstance(content, bytes) else np.bytes_(content.encode())
+
+def set_text(f, name, value):
+    f.file.attrs[name] = np.bytes_(value.encode())
+
+def configured_number(f):
+    """A key and a number of @config, at its place in the text."""
+    config = text(f.file.attrs["config"])
+    found = [match for match in re.finditer(r"\n( *[a-z_]+: )([0-9.]*[1-9][0-9.]*)(?=\n)", config)]
+    need(found)
+    return config, found[int(f.rng.integers(len(found)))]
+
+@inputs_lie
+def a_number_of_the_config_changed(f):
+    config, match = configured_number(f)
+    config = config[:match.start(2)] + f"{float(match[2]) * 2:.17g}" + config[match.end(2):]
+    set_text(f, "config", config)
+    set_text(f, "config_sha256", hashlib.sha256(config.encode()).hexdigest())
+
+@inputs_lie
+def a_section_of_the_config_changed(f):
+    """An obstacle gone, contacts a metre deep, a target of 10 g: whatever the config has of it."""
+    config = text(f.file.attrs["config"])
+    changes = [(r"\n  objects:\n(    .*\n)+", "\n  objects: []\n"), (r"(\n  max_penetration: ).*", r"\g<1>0.9"),
+               (r"(\n  mass: ).*", r"\g<1>0.01"), (r"(\n  infer: )true", r"\g<1>false")]
+    changed = [new for pattern, to in changes if (new := re.sub(pattern, to, config, count=1)) != config]
+    need(changed)
+    config = changed[int(f.rng.integers(len(changed)))]
+    set_text(f, "config", config)
+    set_text(f, "config_sha256", hashlib.sha256(config.encode()).hexdigest())
+
+@inputs_lie
+def a_setting_added(f):
+    set_text(f, "settings", text(f.file.attrs["settings"]) + f"check.required_clearance={1e-5 * f.size}\n")
+
+@inputs_lie
+def the_settings_left_out(f):
+    lines = text(f.file.attrs["settings"]).splitlines(True)
+    need(len(lines) > 1)
+    set_text(f, "settings", "".join(lines[:1]))
+
+@inputs_lie
+def another_input_as_config(f):
+    names = input_names(f, ".yaml")
+    own = text(f.file.attrs["settings"]).splitlines()[0].removeprefix("config=")
+    set_text(f, "settings", "config=" + str(f.rng.choice([name for name in names if name != own])) + "\n")
+
+@inputs_lie
+def inputs_swapped(f):
+    one, other = f.rng.choice(input_names(f, ".yaml"), 2, replace=False)
+    f.file["inputs"].move(one, "kept")
+    f.file["inputs"].move(other, one)
+    f.file["inputs"].move("kept", other)
+
+@inputs_lie
+def an_input_too_many(f):
+    f.file["inputs/notes.yaml"] = np.bytes_("of: nothing\n")
+
+@inputs_lie
+def a_key_doubled_in_an_input(f):
+    name = str(f.rng.choice(input_names(f, ".yaml")))
+    content = text(f.file["inputs"][name][()])
+    keys = re.findall(r"^[a-z_]+:.*\n", content, re.M)
+    need(keys)
+    put_input(f, name, content + str(f.rng.choice(keys)))
+
+def change_stl(f, change):
+    """Changes the facets, nine numbers each, of an STL in text."""
+    name = str(f.rng.choice(input_names(f, ".stl")))
+    facets = np.array(re.findall(r"vertex +(\S+) +(\S+) +(\S+)", text(f.file["inputs"][name][()])), float)
+    need(len(facets))
+    rows = change(facets.reshape(-1, 3, 3))
+    lines = ["facet normal 0 0 0\nouter loop\n" + "".join("vertex {} {} {}\n".format(*p) for p in row) +
+             "endloop\nendfacet\n" for row in rows]
+    put_input(f, name, "solid\n" + "".join(lines) + "endsolid\n")
+
+@inputs_lie
+def a_mesh_of_the_inputs_smaller(f):
+    change_stl(f, lambda facets: 0.5 * facets)
+
+@inputs_lie
+def a_mesh_of_the_inputs_halved(f):
+    change_stl(f, lambda facets: facets[:len(facets) // 2])
+
+@inputs_lie
+def a_mesh_of_the_inputs_inside_out(f):
+    change_stl(f, lambda facets: facets[:, ::-1])
+
+@lie("inputs", True)
+def a_hash_of_other_inputs(f):
+    set_text(f, "inputs_sha256", hashlib.sha256(b"another").hexdigest())
+
+@lie("inputs", True)
+def a_dataset_of_another_hash(f):
+    set_text(f, "dataset_sha256", hashlib.sha256(b"another").hexdigest())
+
+
+# Meshes of a plan, which are those of the inputs
+
+def mesh_of(f):
+    found = [item for item in f.plan["scene"].values() if text(item.attrs["shape"]) == "mesh"]
+    need(found)
+    return found[int(f.rng.integers(len(found)))]
+
+@lie("scene")
+def a_mesh_smaller(f):
+    mesh = mesh_of(f)
+    mesh["vertices"][...] = mesh["vertices"][()] * (1 - min(0.9, 1e-3 * f.size))
+
+@lie("scene")
+def a_mesh_halved(f):
+    name = mesh_of(f).name.removeprefix(f.plan.name + "/") + "/triangles"
+    f.resize(name, f.plan[name][()][:len(f.plan[name]) // 2])
+
+@lie("scene")
+def a_mesh_inside_out(f):
+    mesh = mesh_of(f)
+    mesh["triangles"][...] = mesh["triangles"][()][:, ::-1]
 
 
 # Goals
@@ -473,25 +546,19 @@ def released_late(f):
     f.target().attrs["release_s"] += 1e-3 * f.size
     need("transport" in [text(n) for n in f.plan["phases/name"][()]])
 
-def carried(f):
-    """The target of a plan that carries it, and a sample of its recorded way while it does."""
-    target = f.target()
-    need("attached_frame" not in target.attrs and len(target["time"]) > 2)
-    need(f.plan["trajectory/demonstration_time"][-1] > target["time"][len(target["time"]) // 2])
-    return target, len(target["time"]) // 2
-
 @lie("scene")
 def an_obstacle_on_the_way_of_the_target(f):
-    target, half = carried(f)
+    target, place, _ = carried(f)
     need("table" in f.plan["scene"])
     f.plan["scene"].copy("table", "bead")
     bead = f.plan["scene/bead"]
     bead.attrs["shape"], bead.attrs["size"] = np.bytes_("sphere"), np.array([2e-3 * min(f.size, 20)])
-    bead["position"][0], bead["orientation"][0] = target["position"][half], [1, 0, 0, 0]
+    bead.attrs["pose_origin"] = bead.attrs["shape_origin"] = np.bytes_("recorded")
+    bead["position"][0], bead["orientation"][0] = place, [1, 0, 0, 0]
 
 @lie("scene")
 def released_in_the_air(f):
-    target, half = carried(f)
+    target, _, _ = carried(f)
     k = [text(n) for n in f.plan["phases/name"][()]]
     need("transport" in k)
     last = len(k) - 1 - k[::-1].index("transport")
@@ -612,11 +679,6 @@ def called_repaired(f):
 
 
 # Approach and retreat
-
-def transfer(f):
-    names = [name for name in ("approach", "retreat") if name in f.plan]
-    need(names)
-    return str(f.rng.choice(names))
 
 @lie("approach and retreat")
 def an_approach_left_out(f):
@@ -855,6 +917,12 @@ def verified(morphe, file):
     return found, ""
 
 
+def rows_of(found, plan):
+    """Those of a plan and of others of its demonstration, of which a forger may have made one."""
+    demonstration = plan.split("/")[0]
+    return [row for path, rows in found.items() if path.split("/")[0] == demonstration for row in rows]
+
+
 def beyond_repair(rows):
     return bool({row["cause"] for row in rows} - {"certificate", "clearance"})
 
@@ -907,11 +975,11 @@ def judge_batch(morphe, path, kinds, honest, tally):
             gone = [place[1]] if place and place[1] in left else list(left)
         else:
             rounds += 1
-            if any(row["cause"] != "structure" for row in found.get("", [])):  # of the file
+            if any(row["subject"] != "plans" for row in found.get("", [])):  # of the file
                 gone = list(left)
             else:
-                gone = [plan for plan in left if found.get(plan) and (
-                    rounds == 3 or plan in honest or beyond_repair(found[plan]))]
+                gone = [plan for plan in left if (rows := rows_of(found, plan)) and (
+                    rounds == 3 or plan in honest or beyond_repair(rows))]
         tally.found.update(left.pop(plan) for plan in gone)
         if not left:
             return
@@ -924,7 +992,7 @@ def judge_batch(morphe, path, kinds, honest, tally):
     with h5py.File(path) as file:
         robot = Robot(file["robot"])
         for plan, kind in left.items():
-            if found.get(plan):
+            if rows_of(found, plan):
                 tally.found[kind] += 1
                 continue
             tally.missed[kind] += 1
@@ -940,7 +1008,7 @@ def forge_batch(sources, kinds_wanted, rng, folder, morphe, tally):
     with h5py.File(source) as whole, h5py.File(path, "w", track_order=True) as file:
         for key, value in whole.attrs.items():
             file.attrs[key] = value
-        for name in ("inputs", "robot"):
+        for name in (name for name in whole if name != "plans"):
             whole.copy(name, file)
         plans = file.create_group("plans", track_order=True)
         paths = [f"{d}/{m}" for d in whole["plans"] for m in whole["plans"][d]
@@ -954,7 +1022,7 @@ def forge_batch(sources, kinds_wanted, rng, folder, morphe, tally):
                 forger.keep_certificate = False
                 try:
                     KINDS[kind][2](forger)
-                    if not forger.keep_certificate and KINDS[kind][0] in ("goals", "motion", "scene"):
+                    if not forger.keep_certificate and KINDS[kind][0] in ("goals", "motion", "scene", "carried"):
                         agree_with_the_lie(robot, group["000"])
                 except Unfit:
                     del group["000"]
@@ -970,9 +1038,31 @@ def forge_batch(sources, kinds_wanted, rng, folder, morphe, tally):
         judge_batch(morphe, path, kinds, honest, tally)
 
 
+def forge_with_recordings(source, kind, rng, folder, morphe, tally):
+    """One plan of a whole file, with the recordings beside it. Only what verify says of these counts."""
+    path, dataset = folder / "forged.h5", Path(source).with_name("demonstrations.h5")
+    if not dataset.exists():
+        return
+    for _ in range(20):
+        path.write_bytes(Path(source).read_bytes())
+        with h5py.File(path, "r+") as file:
+            plans = [f"{d}/{m}" for d in file["plans"] for m in file["plans"][d] if "trajectory" in file["plans"][d][m]]
+            forger = Forger(file["plans"][str(rng.choice(plans))], rng)
+            try:
+                KINDS[kind][2](forger)
+            except Unfit:
+                continue
+        tally.made[kind] += 1
+        result = subprocess.run([morphe, "verify", path, "--dataset", dataset, "--json"], capture_output=True, text=True)
+        rows = json.loads(result.stdout)["violations"] if result.returncode < 2 else []
+        told = result.returncode == 2 or any(row["cause"] == "recording" for row in rows)
+        (tally.found if told else tally.missed)[kind] += 1
+        return
+
+
 def run(morphe, sources, count, families, seed, batch=BATCH, log=lambda text: None):
     rng, tally = np.random.default_rng(seed), Tally()
-    names = [name for name, (family, _, _) in KINDS.items() if family in families]
+    names = [name for name, (family, _, _) in KINDS.items() if family in families - {"recording"}]
     with tempfile.TemporaryDirectory(prefix="morphe_forged_") as folder:
         while (left := count - sum(tally.made.values())) > 0:
             wanted = [str(name) for name in rng.choice(names, min(batch, left))]
@@ -989,14 +1079,22 @@ def run(morphe, sources, count, families, seed, batch=BATCH, log=lambda text: No
     return tally
 
 
-def each(morphe, sources, seed):
-    """Every kind once on every file."""
+def each(morphe, sources, seed, families=None):
+    """Every kind of these families, or of all, once on every file."""
     tally, rng = Tally(), np.random.default_rng(seed)
+    kinds = {name: kind for name, kind in KINDS.items() if families is None or kind[0] in families}
     with tempfile.TemporaryDirectory(prefix="morphe_forged_") as folder:
         for source in sources:
-            for name in (name for name in KINDS if KINDS[name][1]):
-                forge_batch([source], [name], rng, Path(folder), morphe, tally)
-            forge_batch([source], [name for name in KINDS if not KINDS[name][1]], rng, Path(folder), morphe, tally)
+            together = []
+            for name, (family, whole_file, _) in kinds.items():
+                if family == "recording":
+                    forge_with_recordings(source, name, rng, Path(folder), morphe, tally)
+                elif whole_file:
+                    forge_batch([source], [name], rng, Path(folder), morphe, tally)
+                else:
+                    together.append(name)
+            if together:
+                forge_batch([source], together, rng, Path(folder), morphe, tally)
     return tally
 
 

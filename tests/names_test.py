@@ -93,12 +93,13 @@ def check(sources):
     return found
 
 
-# Names of a mood or a bare number: a constant says of which quantity it is, and in which unit.
+# Names of a mood or a bare number: a constant says of which quantity it is, and in which unit. KeyBounds
+# contain their unit, and bounds::kShare says that they are those of a share.
 FORBIDDEN = set("""kAbout kAboutAsMuch kAlong kBeyond kClosed kDeepest kEnds kEnough kFar kFarthest kFewest kFirst kFlat
     kHair kLargest kLatest kLeast kLong kLongest kMany kMost kNear kNearly kNone kOften kOftenEnough kOutside kPatience
     kPulls kReach kRest kRounds kSame kShare kSoonSeen kStep kSteps kStill kSure kTimes kTolerance kToTheEnd kTries
     kWeak""".split())
-CONSTANT = re.compile(r"\bconstexpr\b[^;(){]*?\b(k[A-Z]\w*)\s*(?:\[\w*\]\s*)?[={]")
+CONSTANT = re.compile(r"\bconstexpr\b(?! KeyBounds\b)[^;(){]*?\b(k[A-Z]\w*)\s*(?:\[\w*\]\s*)?[={]")
 
 
 def unquantified(text):
@@ -122,6 +123,7 @@ ALLOWED = [
     ("stages/map/planted.cpp", 'namespace morphe::map {\n// struct Plan {}\nconst char* a = "struct Plan {";\n}\n'),
     ("pipeline/run/planted.hpp", "namespace morphe::solve {\nstruct Minimum;  // elsewhere\n}\n"),
     ("stages/export/planted.cpp", "namespace morphe::exports {\nnamespace {\nstruct Row {};\n}\n}\n"),
+    ("core/motion/planted.hpp", "namespace morphe {\nnamespace bounds {\ninline constexpr KeyBounds kShare{0, 1};\n}\n}\n"),
 ]
 
 

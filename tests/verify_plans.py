@@ -4,6 +4,7 @@ limits in 33 points of each quintic, contacts and tips at the samples and 3 poin
 what else a plan says of itself (verify_promises.py, verify_branches.py, verify_grasps.py). Exit 0: all holds, 1: violations, 2: unreadable."""
 import argparse
 import functools
+import hashlib
 import itertools
 import json
 import sys
@@ -573,6 +574,27 @@ def check_plan(robot, path, plan):
         report.rows += transfer.rows
     return report.rows
 
+def inputs_hash(file):
+    """docs/formats.md at @inputs_sha256: the lines that sha256sum prints."""
+    hashes = {}
+    def add(name, item):
+        if isinstance(item, h5py.Dataset):
+            content = item[()]
+            hashes[name.encode()] = sha256(content.tobytes() if isinstance(content, np.ndarray) else bytes(content))
+    file["inputs"].visititems(add)
+    lines = sha256(text(file.attrs["settings"]).encode()).encode() + b"  settings\n"
+    lines += b"".join(hashes[name].encode() + b"  inputs/" + name + b"\n" for name in sorted(hashes))
+    return sha256(lines + text(file.attrs["dataset_sha256"]).encode() + b"  dataset\n")
+
+def sha256(content):
+    return hashlib.sha256(content).hexdigest()
+
+def check_header(file, report):
+    if text(file.attrs["config_sha256"]) != sha256(text(file.attrs["config"]).encode()):
+        report.add("config", "config_sha256", np.nan, np.nan)
+    if text(file.attrs["inputs_sha256"]) != inputs_hash(file):
+        report.add("config", "inputs_sha256", np.nan, np.nan)
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("file")
@@ -582,7 +604,9 @@ def main():
     try:
         with h5py.File(options.file, "r") as file:
             robot = Robot(file["robot"])
-            plans = file["plans"]
+            plans, header = file["plans"], Report("")
+            check_header(file, header)
+            result["violations"] += header.rows
             paths = [f"{name}/{number}" for name in plans for number in plans[name]]
             if not paths:
                 result["violations"] += [dict(plan="", sample=-1, time_s=0.0, cause="structure",

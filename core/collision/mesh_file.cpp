@@ -9,11 +9,15 @@
 #include <array>
 #include <assimp/Importer.hpp>
 #include <cctype>
+#include <cstdint>
+#include <exception>
 #include <map>
+#include <new>
 #include <utility>
 
 #include "core/collision/close_holes.hpp"
 #include "core/collision/constants.hpp"
+#include "core/collision/mesh_io.hpp"
 #include "core/collision/mesh_solid.hpp"
 #include "core/collision/stl_file.hpp"
 #include "core/files/file_kind.hpp"
@@ -53,10 +57,28 @@ void append_mesh(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
     append_mesh(scene, *node.mChildren[k], pose, mesh);
 }
 
-std::string read_with_assimp(const std::filesystem::path& file, bool collada, SceneObject& mesh) {
+/// Throws std::bad_alloc if a failed import lacked memory, which is no fault of the file.
+void expect_memory(const Assimp::Importer& importer) {
+  if (!importer.GetException()) return;
+  try {
+    std::rethrow_exception(importer.GetException());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {  // described by the importer's text
+  }
+}
+
+std::string read_with_assimp(const std::filesystem::path& file, bool collada, SceneObject& mesh,
+                             MeshSource& source) {
   Assimp::Importer importer;
+  auto* const own_files = new MeshFiles(file, source.given);  // deleted by the importer
+  importer.SetIOHandler(own_files);
   const aiScene* scene = importer.ReadFile(file.string(), aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode) return importer.GetErrorString();
+  if (!scene || !scene->mRootNode) {
+    expect_memory(importer);
+    return importer.GetErrorString();
+  }
+  source.read.insert(source.read.end(), own_files->opened().begin(), own_files->opened().end());
   aiMatrix4x4 root_pose;
   if (collada) {  // undoes the root's transformation, which converts unit and up axis
     root_pose = scene->mRootNode->mTransformation;
@@ -68,15 +90,21 @@ std::string read_with_assimp(const std::filesystem::path& file, bool collada, Sc
 
 }  // namespace
 
-std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh) {
+std::string load_raw_mesh(const std::filesystem::path& named, SceneObject& mesh,
+                          MeshSource* source) {
+  MeshSource own_source;
+  if (!source) source = &own_source;
+  const files::GivenFiles* const given = source->given;
+  const std::filesystem::path file = files::located(named, given);
   static constexpr std::array kKinds = {".stl", ".obj", ".dae", ".gltf", ".glb"};
   const std::string kind = lower_extension(file);
   if (std::ranges::find(kKinds, kind) == kKinds.end())
     return file.string() + ": must be an STL, OBJ, DAE or glTF file";
-  if (!std::filesystem::is_regular_file(file)) return file.string() + " cannot be read";
-  if (std::filesystem::file_size(file) > kMaxMeshFile_bytes)
+  if (!files::is_readable_file(file, given)) return file.string() + " cannot be read";
+  const std::uintmax_t size = given ? given->bytes(file).size() : std::filesystem::file_size(file);
+  if (size > kMaxMeshFile_bytes)
     return file.string() + ": is larger than 200 MB; simplify the mesh first";
-  if (const auto foreign = files::file_kind(files::read_file_head(file));
+  if (const auto foreign = files::file_kind(files::read_file_head(file, given));
       foreign && foreign->unwrapped)
     return fmt::format("{}: is {}; {}", file.string(), foreign->name, foreign->advice);
   mesh.shape = Shape::mesh;
@@ -85,19 +113,20 @@ std::string load_raw_mesh(const std::filesystem::path& file, SceneObject& mesh) 
   mesh.triangles.clear();
   std::string problem;
   if (kind == ".stl") {
-    problem = read_stl(file, mesh);
+    problem = read_stl(file, mesh, given);
+    source->read.push_back(file);
   } else {
-    const auto read = [&] { problem = read_with_assimp(file, kind == ".dae", mesh); };
-    problem = files::child_read_error(file, read);
+    const auto read = [&] { problem = read_with_assimp(file, kind == ".dae", mesh, *source); };
+    problem = files::child_read_error(size, read);
     if (problem.empty()) read();
   }
   if (problem.empty()) problem = mesh_problem(mesh);
   return problem.empty() ? "" : file.string() + ": " + problem;
 }
 
-std::string load_mesh(const std::filesystem::path& file, double scale, bool hull,
-                      SceneObject& mesh) {
-  std::string problem = load_raw_mesh(file, mesh);
+std::string load_mesh(const std::filesystem::path& file, double scale, bool hull, SceneObject& mesh,
+                      MeshSource* source) {
+  std::string problem = load_raw_mesh(file, mesh, source);
   if (!problem.empty()) return problem;
   for (Vec3& vertex : mesh.vertices) vertex *= scale;
   problem = mesh_problem(mesh);

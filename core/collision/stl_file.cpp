@@ -7,8 +7,6 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 namespace morphe::collision {
@@ -127,10 +125,9 @@ std::string read_text(std::string_view text, SceneObject& mesh) {
 
 }  // namespace
 
-std::string read_stl(const std::filesystem::path& file, SceneObject& mesh) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream.good() && !stream.eof()) return "cannot be read";
+std::string read_stl(const std::filesystem::path& file, SceneObject& mesh,
+                     const files::GivenFiles* given) {
+  const std::string bytes = files::read_bytes(file, given);
   return is_binary(bytes) ? read_binary(bytes, mesh) : read_text(without_mark(bytes), mesh);
 }
 

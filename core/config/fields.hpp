@@ -12,6 +12,7 @@
 #include "core/config/node.hpp"
 #include "core/config/renamed_keys.hpp"
 #include "core/motion/enum_names.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::config {
 
@@ -19,13 +20,16 @@ namespace morphe::config {
 ///
 ///     struct SegmentOptions { double onset_share = 0.05; };
 ///     template <class Fields>
-///     void fields(Fields& f, SegmentOptions& o) { f("onset_share", o.onset_share); }
+///     void fields(Fields& f, SegmentOptions& o) {
+///       f("onset_share", o.onset_share, bounds::kShare);  // numbers need bounds
+///     }
 ///     std::string validation_error(const SegmentOptions& o);   // optional: "" or the error
 ///
 /// read_options(node, options) keeps the default if a key is absent, and throws one InputError with
 /// all errors, a line each; write_options returns YAML from which read_options restores the same
 /// values. Supported types: bool, int, std::uint64_t, double, std::string, Vec3, named
-/// enumerations, vectors and optionals of these, and structs that have fields().
+/// enumerations, vectors and optionals of these, and structs that have fields(). Numbers are
+/// declared with the bounds of their values, of each component and item; seeds have no bounds.
 class FieldReader;
 class FieldWriter;
 
@@ -34,6 +38,20 @@ template <class T>
 concept HasFields = requires(FieldWriter& f, T& options) {
   fields(f, options);
 };
+/// A number, or several of them, whose key is declared with bounds.
+template <class T>
+inline constexpr bool kNeedsBounds =
+    std::same_as<T, int> || std::same_as<T, double> || std::same_as<T, Vec3>;
+template <class T>
+inline constexpr bool kNeedsBounds<std::vector<T>> = kNeedsBounds<T>;
+template <class T>
+inline constexpr bool kNeedsBounds<std::optional<T>> = kNeedsBounds<T>;
+/// A type whose keys are declared without bounds, and one whose keys need them.
+template <class T>
+concept Unbounded = !kNeedsBounds<T>;
+template <class T>
+concept Bounded = kNeedsBounds<T>;
+
 /// A struct that has validation_error().
 template <class T>
 concept HasValidationError = requires(const T& options) {
@@ -47,14 +65,22 @@ class FieldReader {
   FieldReader(ConfigNode node, ErrorList& problems) : node_(std::move(node)), problems_(problems) {}
 
   /// Reads a key, or keeps the default if it is absent.
-  template <class T>
+  template <Unbounded T>
   void operator()(const char* key, T& value) {
     if (node_.has(key)) required(key, value);
   }
+  template <Bounded T>
+  void operator()(const char* key, T& value, const KeyBounds& bounds) {
+    if (node_.has(key)) required(key, value, bounds);
+  }
   /// Reads a key that has no default.
-  template <class T>
+  template <Unbounded T>
   void required(const char* key, T& value) {
     problems_.attempt([&] { read(node_[key], value); });
+  }
+  template <Bounded T>
+  void required(const char* key, T& value, const KeyBounds& bounds) {
+    problems_.attempt([&] { read(node_[key], value, bounds); });
   }
   /// Reads a struct with fields() and validates it.
   template <HasFields T>
@@ -72,10 +98,8 @@ class FieldReader {
 
  private:
   static void read(const ConfigNode& n, bool& value) { value = n.boolean(); }
-  static void read(const ConfigNode& n, int& value) {
-    const std::int64_t number = n.integer();
-    value = static_cast<int>(number);
-    if (value != number) n.fail(fmt::format("is out of range: {}", number));
+  static void read(const ConfigNode& n, int& value, const KeyBounds& bounds) {
+    value = static_cast<int>(n.integer(bounds));
   }
   static void read(const ConfigNode& n, std::uint64_t& value) {
     const std::string word = n.text();
@@ -83,9 +107,13 @@ class FieldReader {
     if (error != std::errc() || end != word.data() + word.size())
       n.fail(fmt::format("must be a whole number from 0 to 2^64 - 1, not '{}'", word));
   }
-  static void read(const ConfigNode& n, double& value) { value = n.number(); }
+  static void read(const ConfigNode& n, double& value, const KeyBounds& bounds) {
+    value = n.number(bounds);
+  }
   static void read(const ConfigNode& n, std::string& value) { value = n.text(); }
-  static void read(const ConfigNode& n, Vec3& value) { value = n.vec3(); }
+  static void read(const ConfigNode& n, Vec3& value, const KeyBounds& bounds) {
+    value = n.vec3(bounds);
+  }
   template <NamedEnum E>
   static void read(const ConfigNode& n, E& value) {
     const std::string word = n.text();
@@ -97,15 +125,15 @@ class FieldReader {
     }
     value = *known;
   }
-  template <class T>
-  void read(const ConfigNode& n, std::vector<T>& values) {
+  template <class T, class... Bounds>
+  void read(const ConfigNode& n, std::vector<T>& values, const Bounds&... bounds) {
     values.clear();
     for (const ConfigNode& item : n.items())
-      problems_.attempt([&] { read(item, values.emplace_back()); });
+      problems_.attempt([&] { read(item, values.emplace_back(), bounds...); });
   }
-  template <class T>
-  void read(const ConfigNode& n, std::optional<T>& value) {
-    read(n, value.emplace());
+  template <class T, class... Bounds>
+  void read(const ConfigNode& n, std::optional<T>& value, const Bounds&... bounds) {
+    read(n, value.emplace(), bounds...);
   }
 
   ConfigNode node_;
@@ -119,14 +147,14 @@ class FieldWriter {
   explicit FieldWriter(std::string indent = "") : indent_(std::move(indent)) {}
 
   /// Writes a key and its value; an absent optional is omitted.
-  template <class T>
-  void operator()(const char* key, T& value) {
+  template <class T, class... Bounds>
+  void operator()(const char* key, T& value, const Bounds&...) {
     const std::string written = write(value, indent_ + "  ");
     if (!written.empty()) text += fmt::format("{}{}:{}\n", indent_, key, written);
   }
   /// Writes a key that has no default.
-  template <class T>
-  void required(const char* key, T& value) {
+  template <class T, class... Bounds>
+  void required(const char* key, T& value, const Bounds&...) {
     (*this)(key, value);
   }
 

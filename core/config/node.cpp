@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -61,6 +60,16 @@ YAML::Node parse_single_document(const std::string& text, const std::string& lab
     throw InputError(fmt::format("{}:{}: a second YAML document begins; only one is allowed", label,
                                  second.line));
   return YAML::Load(text);
+}
+
+/// Returns the content of a file. An error about one that is missing on the disk has a hint.
+std::string read_text(const std::filesystem::path& file, const files::GivenFiles* given) {
+  try {
+    return files::read_bytes(file, given);
+  } catch (const InputError& error) {
+    if (given) throw;
+    throw InputError(error.what() + file_spelling_hint(file));
+  }
 }
 
 std::string join(const std::string& path, std::string_view key) {
@@ -187,17 +196,14 @@ struct ConfigNode::Value {
 struct ConfigNode::Document {
   std::filesystem::path file;
   std::unique_ptr<Value> root;
+  const files::GivenFiles* given = nullptr;
 };
 
-ConfigNode ConfigNode::load(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file))
-    throw InputError(fmt::format("{}: cannot be read{}", file.string(), file_spelling_hint(file)));
-  std::stringstream text;
-  text << stream.rdbuf();
-  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  ConfigNode node = parse(text.str(), file.string());
-  node.document_->file = file;
+ConfigNode ConfigNode::load(const std::filesystem::path& file, const files::GivenFiles* given) {
+  const std::filesystem::path found = files::located(file, given);
+  ConfigNode node = parse(read_text(found, given), found.string());
+  node.document_->file = found;
+  node.document_->given = given;
   return node;
 }
 
@@ -290,14 +296,26 @@ double ConfigNode::number() const {
   return number * factor;
 }
 
-std::vector<double> ConfigNode::numbers() const {
+std::int64_t ConfigNode::integer(const KeyBounds& bounds) const {
+  const std::int64_t number = integer();
+  if (!bounds.contain(static_cast<double>(number))) fail_at_value(bounds);
+  return number;
+}
+
+double ConfigNode::number(const KeyBounds& bounds) const {
+  const double value = number();
+  if (!bounds.contain(value)) fail_at_value(bounds);
+  return value;
+}
+
+std::vector<double> ConfigNode::numbers(const KeyBounds& bounds) const {
   std::vector<double> values;
-  for (const ConfigNode& item : items()) values.push_back(item.number());
+  for (const ConfigNode& item : items()) values.push_back(item.number(bounds));
   return values;
 }
 
-Vec3 ConfigNode::vec3() const {
-  const std::vector<double> values = numbers();
+Vec3 ConfigNode::vec3(const KeyBounds& bounds) const {
+  const std::vector<double> values = numbers(bounds);
   if (values.size() != 3) fail(fmt::format("must have 3 numbers, not {}", values.size()));
   return {values[0], values[1], values[2]};
 }
@@ -351,6 +369,7 @@ void ConfigNode::erase(std::string_view key) { value_->erase(key); }
 ConfigNode ConfigNode::copy_as_document() const {
   auto document = std::make_shared<Document>();
   document->file = document_->file;
+  document->given = document_->given;
   document->root = value_->clone();
   Value* root = document->root.get();
   return {std::move(document), root, key_};
@@ -392,6 +411,10 @@ void ConfigNode::fail_shape(const std::string& message) const {
   fail(message);
 }
 
+void ConfigNode::fail_at_value(const KeyBounds& bounds) const {
+  fail(fmt::format("must be {}, not {}", text_of(bounds), text()));
+}
+
 void ConfigNode::fail_at_key(const std::string& message) const {
   const std::size_t end = message.find_first_of(": ");
   const std::string key = message.substr(0, end);
@@ -408,6 +431,7 @@ std::filesystem::path ConfigNode::file() const { return value_->file; }
 std::filesystem::path ConfigNode::folder() const {
   return std::filesystem::path(value_->file).parent_path();
 }
+const files::GivenFiles* ConfigNode::given() const { return document_->given; }
 int ConfigNode::line() const { return value_->line; }
 
 }  // namespace morphe::config

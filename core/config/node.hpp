@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "core/config/error_list.hpp"
+#include "core/files/given_files.hpp"
 #include "core/motion/geometry.hpp"
 #include "core/motion/input_error.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::config {
 
@@ -18,8 +20,10 @@ namespace morphe::config {
 /// the same document. Errors are thrown as InputError "FILE:LINE: KEY: message".
 class ConfigNode {
  public:
-  /// Reads a file; throws if it cannot be read, is not YAML, or repeats a key.
-  static ConfigNode load(const std::filesystem::path& file);
+  /// Reads a file of the disk or, if there are any, of the given files, which must outlive the
+  /// document; throws if it cannot be read, is not YAML, or repeats a key.
+  static ConfigNode load(const std::filesystem::path& file,
+                         const files::GivenFiles* given = nullptr);
   /// Parses a text; `label` is used as the file's name in messages.
   static ConfigNode parse(const std::string& text, const std::string& label);
 
@@ -44,12 +48,16 @@ class ConfigNode {
   bool boolean() const;
   /// Returns an integer; throws if the value is not one.
   std::int64_t integer() const;
+  /// Returns an integer within bounds; throws otherwise.
+  std::int64_t integer(const KeyBounds& bounds) const;
   /// Returns a number; "177 deg" is converted to radians, .inf and .nan are rejected.
   double number() const;
-  /// Returns a list of three numbers as a vector; throws otherwise.
-  Vec3 vec3() const;
-  /// Returns a list of numbers; throws otherwise.
-  std::vector<double> numbers() const;
+  /// Returns a number within bounds; throws otherwise.
+  double number(const KeyBounds& bounds) const;
+  /// Returns a list of three numbers within bounds as a vector; throws otherwise.
+  Vec3 vec3(const KeyBounds& bounds) const;
+  /// Returns a list of numbers within bounds; throws otherwise.
+  std::vector<double> numbers(const KeyBounds& bounds) const;
   /// Returns a list of texts; throws otherwise.
   std::vector<std::string> texts() const;
 
@@ -76,6 +84,9 @@ class ConfigNode {
   std::filesystem::path file() const;  ///< that contains this value
   /// Returns the folder of the file that contains this value, to which paths are relative.
   std::filesystem::path folder() const;
+  /// Returns the files in memory among which the document's file names others; nullptr if they are
+  /// on the disk.
+  const files::GivenFiles* given() const;
   /// Returns the line of this value in its file.
   int line() const;
   /// Returns the dotted path from the root, "" for the root.
@@ -88,6 +99,8 @@ class ConfigNode {
       : document_(std::move(document)), value_(value), key_(std::move(key)) {}
   /// Throws for a value of an unexpected kind; its children are not reported as unread too.
   [[noreturn]] void fail_shape(const std::string& message) const;
+  /// Throws for a number that is out of bounds, in its own words ("177 deg").
+  [[noreturn]] void fail_at_value(const KeyBounds& bounds) const;
 
   std::shared_ptr<Document> document_;
   Value* value_ = nullptr;  ///< owned by document_

@@ -17,6 +17,12 @@ void allow_null(Schema& schema) {
   schema["type"].push_back("null");
 }
 
+Schema with_bounds(Schema schema, const KeyBounds& bounds) {
+  schema[bounds.lower_open ? "exclusiveMinimum" : "minimum"] = bounds.lower;
+  schema[bounds.upper_open ? "exclusiveMaximum" : "maximum"] = bounds.upper;
+  return schema;
+}
+
 void report_unknown_keys_below(const ConfigNode& node, const Schema& schema, ErrorList& problems) {
   if (node.is_list() && schema.contains("items"))
     for (const ConfigNode& item : node.items())
@@ -34,12 +40,18 @@ void report_unknown_keys_below(const ConfigNode& node, const Schema& schema, Err
 
 }  // namespace
 
-Schema number_schema() {
-  return {{"type", {"number", "string"}},
-          {"pattern", "^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *(deg)?$"}};
+Schema number_schema(const KeyBounds& bounds) {
+  return with_bounds({{"type", {"number", "string"}},
+                      {"pattern", "^[-+]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][-+]?[0-9]+)? *(deg)?$"}},
+                     bounds);
 }
 
-Schema integer_schema() { return {{"type", "integer"}}; }
+Schema integer_schema(const KeyBounds& bounds) {
+  Schema schema = with_bounds({{"type", "integer"}}, bounds);
+  for (auto& [key, value] : schema.items())
+    if (value.is_number()) value = static_cast<std::int64_t>(value.get<double>());
+  return schema;
+}
 Schema scalar_schema() { return {{"type", {"string", "number", "boolean"}}}; }
 Schema boolean_schema() { return {{"type", "boolean"}}; }
 Schema enum_schema(const std::vector<std::string>& words) { return {{"enum", words}}; }

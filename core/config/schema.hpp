@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <typeinfo>
@@ -14,10 +15,10 @@ namespace morphe::config {
 /// A JSON Schema (draft 2020-12) of the permitted content of a YAML file.
 using Schema = nlohmann::ordered_json;
 
-/// Returns the schema of a number, which includes "177 deg".
-Schema number_schema();
-/// Returns the schema of an integer.
-Schema integer_schema();
+/// Returns the schema of a number within bounds, which includes "177 deg".
+Schema number_schema(const KeyBounds& bounds);
+/// Returns the schema of an integer within bounds.
+Schema integer_schema(const KeyBounds& bounds);
 /// Returns the schema of a text, which is any scalar, because texts in YAML need no quotes.
 Schema scalar_schema();
 /// Returns the schema of a boolean.
@@ -52,24 +53,23 @@ using KeyDescriptions = std::function<std::string(const std::string&, const std:
 std::string type_name(const std::type_info& type);
 
 /// Builds the schema of an options struct from its fields(). The values of the struct are the
-/// defaults; numbers get the bounds 0, 0.001 and 1 if its validation_error() enforces them.
+/// defaults.
 class FieldSchema {
  public:
   /// `partial`: required keys may come from a base that a config extends.
-  FieldSchema(std::string type, const KeyDescriptions& meanings, bool partial,
-              std::function<std::string()> why)
-      : type_(std::move(type)), meanings_(meanings), partial_(partial), validate_(std::move(why)) {}
+  FieldSchema(std::string type, const KeyDescriptions& meanings, bool partial)
+      : type_(std::move(type)), meanings_(meanings), partial_(partial) {}
 
-  /// Adds a key with its default.
-  template <class T>
-  void operator()(const char* key, T& value) {
-    keys_.push_back({key, value_schema(value), meanings_(type_, key), false});
+  /// Adds a key with its default; numbers have bounds.
+  template <class T, class... Bounds>
+  void operator()(const char* key, T& value, const Bounds&... bounds) {
+    keys_.push_back({key, value_schema(value, bounds...), meanings_(type_, key), false});
     add_default(value, keys_.back().schema);
   }
   /// Adds a key that has no default.
-  template <class T>
-  void required(const char* key, T& value) {
-    keys_.push_back({key, value_schema(value), meanings_(type_, key), true});
+  template <class T, class... Bounds>
+  void required(const char* key, T& value, const Bounds&... bounds) {
+    keys_.push_back({key, value_schema(value, bounds...), meanings_(type_, key), true});
   }
   /// Returns the schema of all keys added so far.
   Schema schema() {
@@ -81,64 +81,42 @@ class FieldSchema {
   /// Returns the schema of a struct.
   template <HasFields T>
   static Schema struct_schema(T& value, const KeyDescriptions& meanings, bool partial) {
-    std::function<std::string()> validate;
-    if constexpr (HasValidationError<T>) validate = [&value] { return validation_error(value); };
-    FieldSchema inner(type_name(typeid(T)), meanings, partial, std::move(validate));
+    FieldSchema inner(type_name(typeid(T)), meanings, partial);
     fields(inner, value);
     return inner.schema();
   }
 
  private:
   Schema value_schema(bool&) const { return boolean_schema(); }
-  Schema value_schema(int& value) const { return with_bounds(integer_schema(), value, 1); }
+  Schema value_schema(int&, const KeyBounds& bounds) const { return integer_schema(bounds); }
   Schema value_schema(std::uint64_t&) const {
-    Schema schema = integer_schema();
-    schema["minimum"] = 0;
-    return schema;
+    return {{"type", "integer"},
+            {"minimum", 0},
+            {"maximum", std::numeric_limits<std::uint64_t>::max()}};
   }
-  Schema value_schema(double& value) const { return with_bounds(number_schema(), value, 1e-9); }
+  Schema value_schema(double&, const KeyBounds& bounds) const { return number_schema(bounds); }
   Schema value_schema(std::string&) const { return scalar_schema(); }
-  Schema value_schema(Vec3&) const { return list_schema(number_schema(), 3); }
+  Schema value_schema(Vec3&, const KeyBounds& bounds) const {
+    return list_schema(number_schema(bounds), 3);
+  }
   template <NamedEnum E>
   Schema value_schema(E&) const {
     constexpr auto names = names_of(E{});
     return enum_schema({names.begin(), names.end()});
   }
-  template <class T>
-  Schema value_schema(std::vector<T>&) const {
+  template <class T, class... Bounds>
+  Schema value_schema(std::vector<T>&, const Bounds&... bounds) const {
     T item{};
-    if constexpr (HasFields<T>) return list_schema(struct_schema(item, meanings_, false));
-    return list_schema(FieldSchema("", meanings_, false, {}).value_schema(item));
+    return list_schema(FieldSchema("", meanings_, false).value_schema(item, bounds...));
   }
-  template <class T>
-  Schema value_schema(std::optional<T>&) const {
+  template <class T, class... Bounds>
+  Schema value_schema(std::optional<T>&, const Bounds&... bounds) const {
     T value{};
-    return FieldSchema("", meanings_, partial_, {}).value_schema(value);
+    return value_schema(value, bounds...);
   }
   template <HasFields T>
   Schema value_schema(T& value) const {
     return struct_schema(value, meanings_, partial_);
-  }
-
-  /// Adds the bounds 0, 0.001 and 1 that validation_error() enforces, found by trying values.
-  template <class Number>
-  Schema with_bounds(Schema schema, Number& value, double step) const {
-    if (!validate_ || !validate_().empty()) return schema;
-    const Number kept = value;
-    const auto holds = [&](double tried) {
-      value = static_cast<Number>(tried);
-      const bool valid = validate_().empty();
-      value = kept;
-      return valid;
-    };
-    for (const double bound : {0.0, std::integral<Number> ? 1.0 : 1e-3})
-      if (!holds(bound - step) && holds(bound) && holds(bound + step)) schema["minimum"] = bound;
-    if constexpr (!std::integral<Number>) {
-      if (!holds(0) && holds(step) && holds(2 * step)) schema["exclusiveMinimum"] = 0;
-      if (!holds(1 + step) && holds(1) && holds(1 - step)) schema["maximum"] = 1;
-      if (!holds(1) && holds(1 - step) && holds(1 - 2 * step)) schema["exclusiveMaximum"] = 1;
-    }
-    return schema;
   }
 
   template <class T>
@@ -155,7 +133,6 @@ class FieldSchema {
   std::string type_;
   const KeyDescriptions& meanings_;
   bool partial_;
-  std::function<std::string()> validate_;
   std::vector<SchemaKey> keys_;
 };
 

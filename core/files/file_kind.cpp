@@ -190,8 +190,11 @@ std::optional<FileKind> file_kind(std::string_view head) {
   return kind_in(kText, lower(text));
 }
 
-std::string read_file_head(const std::filesystem::path& file) {
-  constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
+namespace {
+
+constexpr std::size_t kHeadSize_bytes = 65536;  // a header may name hundreds of points
+
+std::string head_on_disk(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status) &&
@@ -206,6 +209,14 @@ std::string read_file_head(const std::filesystem::path& file) {
   std::string head(kHeadSize_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
+  return head;
+}
+
+}  // namespace
+
+std::string read_file_head(const std::filesystem::path& file, const GivenFiles* given) {
+  const std::string head =
+      given ? given->bytes(file).substr(0, kHeadSize_bytes) : head_on_disk(file);
   if (const auto order = utf16_order(head)) return utf8_from_utf16(head, *order);
   return head.starts_with("\xEF\xBB\xBF") ? head.substr(3) : head;
 }

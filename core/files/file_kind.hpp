@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/files/given_files.hpp"
+
 namespace morphe::files {
 
 /// A kind of file that is known by its first bytes, whatever its name.
@@ -26,6 +28,6 @@ std::string xml_root_name(std::string_view text);
 
 /// Returns the first 64 KB of a file as UTF-8 without byte order mark, if it is text. Throws
 /// InputError if it cannot be read, or is a pipe.
-std::string read_file_head(const std::filesystem::path& file);
+std::string read_file_head(const std::filesystem::path& file, const GivenFiles* given = nullptr);
 
 }  // namespace morphe::files

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,6 +38,12 @@ int exit_code(const std::function<void()>& read) {
   return kExitDone;
 }
 
+/// Returns how much memory this process may take [bytes].
+std::uint64_t memory_limit() {
+  rlimit limit{};
+  return ::getrlimit(RLIMIT_AS, &limit) == 0 ? limit.rlim_cur : RLIM_INFINITY;
+}
+
 [[noreturn]] void read_and_exit(const std::function<void()>& read, const Limits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int null_device = ::open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -48,6 +55,7 @@ int exit_code(const std::function<void()>& read) {
 std::string exit_error(int status, const Limits& limits) {
   if (WIFEXITED(status)) {
     const int code = WEXITSTATUS(status);
+    if (code == kExitOutOfMemory && memory_limit() < limits.bytes) throw std::bad_alloc();
     if (code == kExitOutOfMemory)
       return fmt::format("reading it takes more than {} MB of memory", limits.bytes >> 20);
     return code == kExitDone ? "" : "the library that reads it fails";
@@ -63,10 +71,14 @@ std::string exit_error(int status, const Limits& limits) {
 std::string child_read_error(const std::filesystem::path& file, const std::function<void()>& read) {
   std::error_code error;
   std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (error) bytes = 0;
-  const Limits limits{10 + (bytes >> 20), (std::uint64_t{1} << 30) + 32 * bytes};
+  return child_read_error(error ? 0 : bytes, read);
+}
+
+std::string child_read_error(std::uintmax_t file_bytes, const std::function<void()>& read) {
+  const Limits limits{10 + (file_bytes >> 20), (std::uint64_t{1} << 30) + 32 * file_bytes};
   const pid_t child = ::fork();
-  if (child < 0) return fmt::format("cannot start a process to read it: {}", std::strerror(errno));
+  if (child < 0)
+    throw std::system_error(errno, std::generic_category(), "cannot start a process to read files");
   if (child == 0) read_and_exit(read, limits);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;

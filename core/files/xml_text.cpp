@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -31,11 +29,9 @@ std::string error_text(const tinyxml2::XMLDocument& document) {
 
 }  // namespace
 
-XmlText::XmlText(const std::filesystem::path& path) : file(path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(path))
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
+XmlText::XmlText(const std::filesystem::path& path, const GivenFiles* given)
+    : file(located(path, given)) {
+  std::string text = read_bytes(file, given);
   if (const auto order = utf16_order(text)) text = utf8_from_utf16(text, *order);
   document.Parse(text.c_str());
   if (document.Error()) {
@@ -46,7 +42,8 @@ XmlText::XmlText(const std::filesystem::path& path) : file(path) {
     throw InputError(fmt::format("{}:1: not valid XML: has no element", path.string()));
 }
 
-XmlText::XmlText(const std::filesystem::path& path, const char* root) : XmlText(path) {
+XmlText::XmlText(const std::filesystem::path& path, const char* root, const GivenFiles* given)
+    : XmlText(path, given) {
   const XmlElement* top = document.RootElement();
   if (std::strcmp(top->Value(), root) != 0) {
     throw InputError(

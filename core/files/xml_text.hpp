@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/files/given_files.hpp"
+
 namespace morphe::files {
 
 /// An element of an XML document.
@@ -18,9 +20,9 @@ struct XmlText {
   tinyxml2::XMLDocument document;
 
   /// Throws InputError if the file cannot be read or is not XML.
-  explicit XmlText(const std::filesystem::path& path);
+  explicit XmlText(const std::filesystem::path& path, const GivenFiles* given = nullptr);
   /// Throws InputError also if the file has another root element.
-  XmlText(const std::filesystem::path& path, const char* root);
+  XmlText(const std::filesystem::path& path, const char* root, const GivenFiles* given = nullptr);
 
   /// Returns the root element.
   const XmlElement& root() const { return *document.RootElement(); }

@@ -48,10 +48,6 @@ void CustomTerms::add(const RobotState& state, const FrameGoal& goal, double sha
   }
 }
 
-std::string validation_error(const CustomTerm& options) {
-  return options.weight >= 0 ? "" : "weight must not be negative";
-}
-
 std::string resolve_custom_terms(const std::vector<std::shared_ptr<const ResidualTerm>>& provided,
                                  CustomTerms& terms) {
   terms.weight = 1;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/residual_term.hpp"
 
 namespace morphe::humanlike {
@@ -31,10 +32,8 @@ struct CustomTerms {
 template <class Fields>
 void fields(Fields& f, CustomTerm& o) {
   f.required("name", o.name);
-  f.required("weight", o.weight);
+  f.required("weight", o.weight, bounds::kWeight);
 }
-/// Returns the reason why the options are invalid, "" if they are valid.
-std::string validation_error(const CustomTerm& options);
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, CustomTerms& o) {

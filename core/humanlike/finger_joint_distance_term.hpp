@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -17,7 +18,7 @@ struct FingerJointDistance {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, FingerJointDistance& o) {
-  f("humanlike_fingers", o.weight);
+  f("humanlike_fingers", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

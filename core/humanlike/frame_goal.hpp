@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
 
@@ -46,10 +47,10 @@ struct FrameWeights {
 /// Declares the config keys of the factors.
 template <class Fields>
 void fields(Fields& f, FrameWeights& o) {
-  f("tip_position", o.tip_position);
-  f("tip_orientation", o.tip_orientation);
-  f("humanlike_arm", o.humanlike_arm);
-  f("humanlike_fingers", o.humanlike_fingers);
+  f("tip_position", o.tip_position, bounds::kWeight);
+  f("tip_orientation", o.tip_orientation, bounds::kWeight);
+  f("humanlike_arm", o.humanlike_arm, bounds::kWeight);
+  f("humanlike_fingers", o.humanlike_fingers, bounds::kWeight);
 }
 
 /// The goals of one frame, in the robot's base frame; NaN if there is no goal. [m] stands for one

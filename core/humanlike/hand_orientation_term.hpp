@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -16,7 +17,7 @@ struct HandOrientation {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, HandOrientation& o) {
-  f("hand_orientation", o.weight);
+  f("hand_orientation", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

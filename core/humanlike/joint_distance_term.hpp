@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -15,7 +16,7 @@ struct JointDistance {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, JointDistance& o) {
-  f("humanlike_arm", o.weight);
+  f("humanlike_arm", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

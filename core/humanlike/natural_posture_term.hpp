@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -31,7 +32,7 @@ struct NaturalPosture {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, NaturalPosture& o) {
-  f("posture", o.weight);
+  f("posture", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -16,7 +17,7 @@ struct PadDirection {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, PadDirection& o) {
-  f("pad_direction", o.weight);
+  f("pad_direction", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -18,7 +19,7 @@ struct PalmDirection {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, PalmDirection& o) {
-  f("palm_direction", o.weight);
+  f("palm_direction", o.weight, bounds::kWeight);
 }
 
 }  // namespace morphe::humanlike

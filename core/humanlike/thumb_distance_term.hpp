@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/humanlike/term.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::humanlike {
 
@@ -23,9 +24,9 @@ struct ThumbDistance {
 /// Declares the config keys of the term.
 template <class Fields>
 void fields(Fields& f, ThumbDistance& o) {
-  f("thumb_distance", o.weight);
-  f("thumb_full_distance", o.full_distance_m);
-  f("thumb_zero_distance", o.zero_distance_m);
+  f("thumb_distance", o.weight, bounds::kWeight);
+  f("thumb_full_distance", o.full_distance_m, bounds::kLength);
+  f("thumb_zero_distance", o.zero_distance_m, bounds::kLength);
 }
 
 }  // namespace morphe::humanlike

@@ -16,7 +16,15 @@ struct LimitReport {
   double position_margin = kUnknown;  ///< smallest distance to a limit, < 0 if exceeded [rad]
   int margin_sample = -1, margin_joint = -1;
 };
-/// Computes the use of all limits by a trajectory.
+/// Computes the use of all limits by a trajectory: by the quintics between its samples.
 LimitReport limit_report(const RobotModel& robot, const Trajectory& trajectory);
+
+/// The use of limits by the cubic Hermite pieces between samples. Their acceleration jumps at the
+/// samples, so that they have no finite jerk there.
+struct CubicLimitReport {
+  LimitUse velocity, acceleration;
+};
+/// Computes the use of limits by a controller that interpolates positions and velocities.
+CubicLimitReport cubic_limit_report(const RobotModel& robot, const Trajectory& trajectory);
 
 }  // namespace morphe::math

@@ -143,6 +143,18 @@ QuinticPiece quintic_piece(const Trajectory& trajectory, Eigen::Index sample, Ei
                        trajectory.time[sample + 1] - trajectory.time[sample]);
 }
 
+QuinticPiece cubic_piece(const Trajectory& trajectory, Eigen::Index sample, Eigen::Index joint) {
+  QuinticPiece piece;
+  piece.duration = trajectory.time[sample + 1] - trajectory.time[sample];
+  const JointState begin = state_at(trajectory, sample, joint);
+  const JointState end = state_at(trajectory, sample + 1, joint);
+  const double distance = end.position - begin.position;
+  const double v0 = begin.velocity * piece.duration, v1 = end.velocity * piece.duration;
+  piece.coefficient = {begin.position,         v0, 3 * distance - 2 * v0 - v1,
+                       v0 + v1 - 2 * distance, 0,  0};
+  return piece;
+}
+
 double value_at(const QuinticPiece& piece, double t, int order) {
   Polynomial p = piece.coefficient;
   for (int k = 0; k < order; ++k) p = derivative(p);

@@ -23,6 +23,10 @@ QuinticPiece quintic_piece(const JointState& begin, const JointState& end, doubl
 /// Returns the piece of a joint between samples `sample` and `sample` + 1.
 QuinticPiece quintic_piece(const Trajectory& trajectory, Eigen::Index sample, Eigen::Index joint);
 
+/// Returns the cubic Hermite piece of a joint between samples `sample` and `sample` + 1: it meets
+/// position and velocity at both ends, and its acceleration is linear.
+QuinticPiece cubic_piece(const Trajectory& trajectory, Eigen::Index sample, Eigen::Index joint);
+
 /// Returns the derivative of order 0 (position) to 3 (jerk) at t in [0, duration] [rad/s^order].
 double value_at(const QuinticPiece& piece, double t, int order = 0);
 

@@ -277,11 +277,16 @@ struct PlanFileHeader {
   std::string config_sha256, dataset_sha256;
   std::string software;    ///< "morphe 0.1.0"
   std::string built_with;  ///< compiler and packages; "" in files of earlier versions
-  /// An input file whose text is stored with the plans.
+  /// A file whose content is stored with the plans.
   struct Input {
-    std::string path, text;  ///< path relative to the config, as written there
+    std::string path, text;  ///< path below /inputs; text: its bytes, also of a mesh
   };
+  /// The config first, then those that it extends, the robot's files, the scene's file and meshes.
   std::vector<Input> inputs;
+  /// What was said to load the config: "config=PATH", its path below /inputs; "robots=NAME", the
+  /// entry of its `robots`, if it has any; "a.b=value" of each --set, in order.
+  std::vector<std::string> settings;
+  std::string inputs_sha256;  ///< as read from a file; the writer computes it (store::inputs_hash)
   /// That hold for all plans: of the robot and the config, and what no step looks at.
   std::vector<Assumption> assumptions;
 };

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/files/item_name.hpp"
 #include "core/moveit/planning_scene.hpp"
 #include "core/moveit/read_messages.hpp"
 
@@ -35,6 +36,7 @@ Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames) {
   const auto taken = [&](const std::string& name) { return find_object(result.objects, name); };
   for (const config::ConfigNode& item : items_of(world, "collision_objects")) {
     const std::string id = item["id"].text();
+    if (!files::is_item_name(id)) item["id"].fail(files::kItemNameError);
     if (taken(id)) item["id"].fail(fmt::format("an object '{}' already exists", id));
     refuse(item, "planes", "planes are not supported");
     if (item.has("operation") && item["operation"].text() != "0")
@@ -53,8 +55,8 @@ Scene read_objects(const config::ConfigNode& scene, const FixedFrames& frames) {
   return result;
 }
 
-Scene read_moveit_scene(const std::filesystem::path& scene_file) {
-  const config::ConfigNode scene = config::ConfigNode::load(scene_file);
+Scene read_moveit_scene(const std::filesystem::path& scene_file, const files::GivenFiles* given) {
+  const config::ConfigNode scene = config::ConfigNode::load(scene_file, given);
   return read_objects(scene, read_frames(scene, "", Pose::Identity()));
 }
 

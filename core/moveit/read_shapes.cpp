@@ -13,9 +13,9 @@ std::vector<double> components(const config::ConfigNode& node,
                                const std::vector<const char*>& names) {
   std::vector<double> values;
   if (node.is_map())
-    for (const char* name : names) values.push_back(node[name].number());
+    for (const char* name : names) values.push_back(node[name].number(bounds::kCoordinate));
   else
-    values = node.numbers();
+    values = node.numbers(bounds::kCoordinate);
   if (values.size() != names.size())
     node.fail(fmt::format("must have {} numbers, not {}", names.size(), values.size()));
   return values;
@@ -111,12 +111,10 @@ void refuse(const config::ConfigNode& node, const char* key, const char* why) {
 
 SceneObject read_primitive(const config::ConfigNode& node, const Pose& base_from_shape) {
   const Primitive primitive = primitive_of(node["type"]);
-  std::vector<double> size = node["dimensions"].numbers();
+  std::vector<double> size = node["dimensions"].numbers(bounds::kObjectSize);
   if (size.size() != primitive.dimensions)
     node["dimensions"].fail(
         fmt::format("must have {} numbers, not {}", primitive.dimensions, size.size()));
-  for (const double length : size)
-    if (!(length > 0)) node["dimensions"].fail(fmt::format("must be positive, not {}", length));
   if (primitive.shape == Shape::cylinder) std::swap(size[0], size[1]);  // height, radius in MoveIt
   return still_object(primitive.shape, size, base_from_shape);
 }

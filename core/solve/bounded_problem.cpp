@@ -11,7 +11,7 @@ std::string validation_error(const MinimiseOptions& options) {
   if (algorithm == "structured") return "algorithm: 'structured' is now called 'trust_region'";
   if (std::ranges::find(kAlgorithms, algorithm) == kAlgorithms.end())
     return "algorithm must be trust_region, tnewton, slsqp or lbfgs, not '" + algorithm + "'";
-  return options.max_evaluations < 1 ? "max_evaluations must be at least 1" : "";
+  return "";
 }
 
 }  // namespace morphe::solve

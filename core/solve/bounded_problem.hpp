@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/solve/quadratic.hpp"
 
 namespace morphe::solve {
@@ -29,9 +30,9 @@ struct MinimiseOptions {
 template <class Fields>
 void fields(Fields& f, MinimiseOptions& o) {
   f("algorithm", o.algorithm);
-  f("max_evaluations", o.max_evaluations);
-  f("relative_tolerance", o.relative_tolerance);
-  f("step_tolerance_rad", o.step_tolerance_rad);
+  f("max_evaluations", o.max_evaluations, bounds::kCount);
+  f("relative_tolerance", o.relative_tolerance, bounds::kTolerance);
+  f("step_tolerance_rad", o.step_tolerance_rad, bounds::kTolerance);
 }
 /// Returns the reason why the options are invalid, "" if they are valid.
 std::string validation_error(const MinimiseOptions& options);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/motion/key_bounds.hpp"
 #include "core/solve/movement_problem.hpp"
 
 namespace morphe::solve {
@@ -13,8 +14,8 @@ struct MovementOptions {
 /// Declares the config keys of the options.
 template <class Fields>
 void fields(Fields& f, MovementOptions& o) {
-  f("max_iterations", o.max_iterations);
-  f("relative_tolerance", o.relative_tolerance);
+  f("max_iterations", o.max_iterations, bounds::kCount);
+  f("relative_tolerance", o.relative_tolerance, bounds::kTolerance);
 }
 
 /// The result of minimise_movement().

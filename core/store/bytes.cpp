@@ -27,6 +27,7 @@ void lay_out_header(Io& io, T& header) {
   io.attribute("built_with", header.built_with);
   io.column("path", header.inputs, &Input::path, {});
   io.column("text", header.inputs, &Input::text, {});
+  io.attribute("settings", header.settings);
   lay_out_assumptions(io, header.assumptions);
 }
 

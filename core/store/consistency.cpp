@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/files/item_name.hpp"
 #include "core/files/printable.hpp"
 #include "core/store/input_bounds.hpp"
 
@@ -73,10 +74,8 @@ ConsistencyChecker check_names(const std::vector<SceneObject>& objects, const st
     const std::string& name = object.name;
     const std::string printable = files::make_printable(name);
     check.require(names.insert(name).second, printable.c_str(), "the name appears twice");
-    check.require(
-        !name.empty() && name != "." && name.find('/') == std::string::npos && printable == name,
-        printable.c_str(),
-        "is not a valid name: must not be empty or contain '/' or control characters");
+    check.require(files::is_item_name(name), printable.c_str(),
+                  fmt::format("is not a valid name: {}", files::kItemNameError));
   }
   return check;
 }

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "core/files/item_name.hpp"
 #include "core/files/printable.hpp"
 #include "core/store/hdf5_output.hpp"
 #include "core/store/hdf5_types.hpp"
@@ -169,10 +170,8 @@ void Hdf5File::close() {
 
 Hdf5Group Hdf5Group::create(const std::string& name) const {
   silence_hdf5_errors();
-  if (name.empty() || name == "." || name.find('/') != std::string::npos ||
-      !files::is_printable(name))
-    fail(fmt::format(
-        "'{}' is not a valid name: must not be empty or contain '/' or control characters", name));
+  if (!files::is_item_name(name))
+    fail(fmt::format("'{}' is not a valid name: {}", name, files::kItemNameError));
   if (has(name)) fail(name, "already exists");
   const Hdf5Id creation = properties(H5P_GROUP_CREATE);
   describe_group(creation.get());

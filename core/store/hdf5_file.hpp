@@ -113,6 +113,11 @@ class Hdf5Group {
   /// Reads a scalar dataset with a text.
   std::string read_text(const std::string& name) const;
 
+  /// Returns the type of a dataset's elements: "float64", "int32", "uint8", "text" or another.
+  std::string type_of(const std::string& name) const;
+  /// Returns the type of an attribute of this group, likewise.
+  std::string type_of_attribute(const std::string& name) const;
+
   /// Reads a dataset with numbers or texts.
   Hdf5Value value(const std::string& name) const;
 

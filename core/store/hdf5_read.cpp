@@ -28,6 +28,22 @@ const char* attribute_kind(const std::string&) { return "text"; }
 const char* attribute_kind(const std::vector<double>&) { return "numbers"; }
 const char* attribute_kind(const std::vector<std::string>&) { return "texts"; }
 
+/// Returns the name of an HDF5 type: "float64", "int32", "uint8", "text", or "other" for compounds
+/// and the like.
+std::string type_name(hid_t type) {
+  const std::size_t bits = 8 * H5Tget_size(type);
+  switch (H5Tget_class(type)) {
+    case H5T_STRING:
+      return "text";
+    case H5T_FLOAT:
+      return fmt::format("float{}", bits);
+    case H5T_INTEGER:
+      return fmt::format("{}int{}", H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "", bits);
+    default:
+      return "other";
+  }
+}
+
 struct Extent {
   Hdf5Shape dims;
   double count = 1;  ///< number of elements; a double cannot overflow
@@ -206,6 +222,16 @@ std::string Hdf5Group::read_text(const std::string& name) const {
   const std::vector<std::string> values = read_strings(name);
   if (values.size() != 1) fail(name, "must contain one text");
   return values.front();
+}
+
+std::string Hdf5Group::type_of(const std::string& name) const {
+  return type_name(open_dataset(*this, id_.get(), name, file_bytes()).type.get());
+}
+
+std::string Hdf5Group::type_of_attribute(const std::string& name) const {
+  const Attribute found = open_attribute(id_.get(), ".", name, file_bytes());
+  if (!found.id.valid()) fail("@" + name, "cannot be read");
+  return type_name(found.type.get());
 }
 
 Hdf5Value Hdf5Group::value(const std::string& name) const {

@@ -28,6 +28,12 @@ inline DatasetAttributes joint_attributes(const std::string& per = "") {
 /// Returns the unit of the joint positions of a robot, with prismatic joints or without.
 inline std::string joint_unit(bool prismatic) { return prismatic ? "rad or m" : "rad"; }
 
+/// Returns a unit with `joint_unit` in the place of kJointUnit.
+inline std::string with_joint_unit(std::string unit, const std::string& joint_unit) {
+  if (unit.starts_with(kJointUnit)) unit.replace(0, kJointUnit.size(), joint_unit);
+  return unit;
+}
+
 /// Returns the numbers and names of an enumeration: "0=rest,1=reach,…".
 template <NamedEnum E>
 std::string meaning() {
@@ -114,9 +120,7 @@ class LayoutWriter : public OptionalItemWriter<LayoutWriter> {
 
  private:
   void tag(const char* name, const DatasetAttributes& tags) {
-    std::string unit = tags.unit;
-    if (unit.starts_with(kJointUnit)) unit.replace(0, kJointUnit.size(), joint_unit_);
-    group_.set("unit", unit, name);
+    group_.set("unit", with_joint_unit(tags.unit, joint_unit_), name);
     if (!tags.frame.empty()) group_.set("frame", tags.frame, name);
     if (!tags.meaning.empty()) group_.set("meaning", tags.meaning, name);
   }

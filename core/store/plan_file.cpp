@@ -7,6 +7,7 @@
 #include "core/files/atomic_file.hpp"
 #include "core/store/consistency.hpp"
 #include "core/store/hdf5_file.hpp"
+#include "core/store/layout_contract.hpp"
 #include "core/store/plan_header.hpp"
 #include "core/store/plan_layout.hpp"
 #include "core/store/robot_layout.hpp"
@@ -47,7 +48,7 @@ PlanWriter::PlanWriter(const std::filesystem::path& path, const PlanFileHeader& 
   state_->file.set_display_name(path);
   const Hdf5Group root = state_->file.root();
   write_format(root, kPlanFormat, kPlanVersion);
-  write_plan_header(root, header, robot.name);
+  write_plan_header(state_->file.root(), header, robot.name);
   LayoutWriter io(root.create("robot"), joint_unit(robot.has_prismatic_joint()));
   io.current_group().throw_if_fault(inconsistency(robot));
   lay_out_robot(io, robot);
@@ -85,7 +86,7 @@ PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
   state_->file = Hdf5File::open(path);
   const Hdf5Group root = state_->file.root();
   check_format(root, kPlanFormat, kPlanVersion);
-  header_ = read_plan_header(root);
+  header_ = read_plan_header(state_->file.root());
   LayoutReader io(root.open("robot"));
   lay_out_robot(io, robot_);
   io.current_group().throw_if_fault(inconsistency(robot_));
@@ -101,13 +102,53 @@ PlanReader::PlanReader(const std::filesystem::path& path) : state_(new State) {
 
 PlanReader::~PlanReader() = default;
 
-Plan PlanReader::read(std::size_t index) const {
+std::pair<std::string, std::string> PlanReader::names_of(std::size_t index) const {
   const std::string& path = paths_.at(index);
   const std::size_t slash = path.find('/');
+  return {path.substr(0, slash), path.substr(slash + 1)};
+}
+
+std::vector<std::string> PlanReader::contract_faults() const {
+  std::vector<std::string> faults;
+  const std::string joints = joint_unit(robot_.has_prismatic_joint());
+  LayoutContract root(state_->file.root(), "", joints, faults);
+  root.attribute("format", std::string(kPlanFormat));
+  root.attribute("version", kPlanVersion);
+  compare_plan_header(root, header_, robot_.name);
+  const Hdf5Group file = state_->file.root();
+  std::string named;
+  if (file.has_attribute("robot")) file.get("robot", named);
+  if (named != robot_.name)
+    root.fault("@robot", fmt::format("is '{}', not '{}'", named, robot_.name));
+  root.group("robot", [&](LayoutContract& in) { lay_out_robot(in, robot_); });
+  root.group("plans", [](LayoutContract& plans) {
+    for (const std::string& name : plans.current_group().children()) {
+      plans.group(name, [](LayoutContract& demonstration) {
+        const std::vector<std::string> movements = demonstration.current_group().children();
+        for (const std::string& movement : movements) demonstration.accept(movement);
+        if (movements.empty()) demonstration.fault("000", "is missing");
+      });
+    }
+  });
+  root.finish();
+  return faults;
+}
+
+std::vector<std::string> PlanReader::contract_faults(std::size_t index, const Plan& plan) const {
+  const auto [demonstration, movement] = names_of(index);
+  std::vector<std::string> faults;
+  LayoutContract io(state_->plans.open(demonstration).open(movement), "",
+                    joint_unit(robot_.has_prismatic_joint()), faults);
+  lay_out_plan(io, plan);
+  io.finish();
+  return faults;
+}
+
+Plan PlanReader::read(std::size_t index) const {
+  const auto [name, movement] = names_of(index);
   Plan plan;
-  plan.demonstration = path.substr(0, slash);
-  const std::string movement = path.substr(slash + 1);
-  const Hdf5Group demonstration = state_->plans.open(plan.demonstration);
+  plan.demonstration = name;
+  const Hdf5Group demonstration = state_->plans.open(name);
   plan.movement.index = movement_index(demonstration, movement);
   LayoutReader io(demonstration.open(movement));
   lay_out_plan(io, plan);

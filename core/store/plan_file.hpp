@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/motion/export.hpp"
@@ -59,8 +60,17 @@ class MORPHE_EXPORT PlanReader {
   const std::vector<std::string>& plan_paths() const { return paths_; }
   /// Reads the plan with this index in plan_paths().
   Plan read(std::size_t index) const;
+  /// Returns what the file has, beside the content of its plans, that PlanWriter would not write
+  /// for this header and robot, and what it lacks: members, attributes, types and units
+  /// (layout_contract.hpp). Readers ignore these, but a person or another program may trust them.
+  std::vector<std::string> contract_faults() const;
+  /// Returns the same for the plan with this index, as read.
+  std::vector<std::string> contract_faults(std::size_t index, const Plan& plan) const;
 
  private:
+  /// Returns the names of the demonstration and of the movement.
+  std::pair<std::string, std::string> names_of(std::size_t index) const;
+
   struct State;
   std::unique_ptr<State> state_;
   PlanFileHeader header_;

@@ -22,7 +22,7 @@ std::string wrapped(const std::string& lines, std::size_t width) {
 }  // namespace
 
 void CertificateBox::add(const PlanRow& row) {
-  if (row.status == name_of(Status::infeasible)) return;
+  if (row.status == name_of(Status::infeasible) || row.status == kNotVerified) return;
   ++plans;
   tally.add(row.assumptions);
   for (const KindClearance& each : row.clearances) {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <system_error>
 
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/human_motion.hpp"
@@ -109,22 +108,20 @@ Demonstration reconstructed_joints(const Demonstration& demonstration) {
 void ClipOutput::add(const Demonstration& demonstration) {
   const std::string& name = demonstration.name;
   if (name.find('/') != std::string::npos || name.starts_with('.'))
-    throw InputError(fmt::format("{}: '{}' cannot be a file name", folder_.string(), name));
+    throw InputError(fmt::format("{}: '{}' cannot be a file name", path_.string(), name));
   const Demonstration joints = reconstructed_joints(demonstration);
   if (!imports::can_write_clip(joints)) {
     without_clip_.push_back(name);
     return;
   }
-  std::error_code error;
-  std::filesystem::create_directories(folder_, error);
-  if (error)
-    throw InputError(fmt::format("{}: cannot be created: {}", folder_.string(), error.message()));
-  imports::write_clip(joints, folder_ / (name + ".npz"));
+  if (!folder_) folder_.emplace(path_);
+  imports::write_clip(joints, path_ / (name + ".npz"));
+  folder_->keep();
   ++written_;
 }
 
 std::string ClipOutput::text() const {
-  std::string text = fmt::format("{}: {}\n", folder_.string(), count_with_noun(written_, "clip"));
+  std::string text = fmt::format("{}: {}\n", path_.string(), count_with_noun(written_, "clip"));
   for (const std::string& name : without_clip_)
     text += fmt::format(
         "  {}: no clip written: it has no joints, and they cannot be reconstructed\n", name);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/motion/demonstration.hpp"
+#include "pipeline/run/output_folder.hpp"
 
 namespace morphe::commands {
 
@@ -16,8 +18,8 @@ Demonstration reconstructed_joints(const Demonstration& demonstration);
 /// A folder of clips, one for each demonstration.
 class ClipOutput {
  public:
-  /// The folder is created with the first clip.
-  explicit ClipOutput(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// The folder is created and locked with the first clip.
+  explicit ClipOutput(std::filesystem::path folder) : path_(std::move(folder)) {}
   /// Writes NAME.npz. A demonstration that cannot be reconstructed has no clip and is listed in
   /// text(). Throws InputError if the clip cannot be written or the name is not a valid file name.
   void add(const Demonstration& demonstration);
@@ -25,7 +27,8 @@ class ClipOutput {
   std::string text() const;
 
  private:
-  std::filesystem::path folder_;
+  std::filesystem::path path_;
+  std::optional<run::OutputFolder> folder_;
   std::size_t written_ = 0;
   std::vector<std::string> without_clip_;
 };

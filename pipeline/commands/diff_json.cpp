@@ -61,7 +61,9 @@ Json branches_json(const PlanDiff& diff) {
 }  // namespace
 
 std::string diff_json(const PlanDiff& diff) {
-  Json json{{"equal", diff.equal()}};
+  Json json{{"equal", diff.equal()},
+            {"first_not_verified", diff.first_not_verified},
+            {"second_not_verified", diff.second_not_verified}};
   Json only_first = Json::array(), only_second = Json::array(), rows = Json::array();
   int both = 0;
   for (const PlanPair& pair : diff.pairs) {

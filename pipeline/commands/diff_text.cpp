@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "core/motion/count_with_noun.hpp"
 #include "pipeline/commands/branch_text.hpp"
@@ -58,6 +59,9 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
   if (only_first > 0) text += fmt::format("; {} only in A", only_first);
   if (only_second > 0) text += fmt::format("; {} only in B", only_second);
   text += "\n";
+  for (const auto& [file, not_verified] :
+       {std::pair("A", &diff.first_not_verified), std::pair("B", &diff.second_not_verified)})
+    if (!not_verified->empty()) text += fmt::format("{}: {}\n", file, *not_verified);
   if (!diff.config_changes.empty())
     text += fmt::format("config: {}\n", fmt::join(diff.config_changes, ", "));
   if (!diff.file_changes.empty())

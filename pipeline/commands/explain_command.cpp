@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/config/spelling_hint.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/assumption_text.hpp"
 #include "core/motion/input_error.hpp"
@@ -15,6 +16,7 @@
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/posture_json.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/explain/collect_advice.hpp"
 #include "pipeline/explain/posture_text.hpp"
 #include "pipeline/explain/step_summary.hpp"
@@ -29,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 struct ExplainArguments {
   std::string file, plan, dataset;
-  bool try_advice = false, json = false;
+  bool try_advice = false, json = false, unverified = false;
 };
 
 /// A plans.h5 and the related files in its folder.
@@ -148,21 +150,39 @@ std::string text_of(const PlanSource& source, const Plan& plan,
 int execute(const ExplainArguments& arguments) {
   expect_effect(arguments.try_advice || arguments.dataset.empty(), "--dataset", "without --try");
   Json all = Json::array();
-  int shown = 0;
+  int shown = 0, tried = 0;
+  std::vector<std::string> names;  // of plans and demonstrations, for a hint
   for (const fs::path& file : find_plans_files(arguments.file)) {
     PlanSource source(file);
     open_recordings(arguments, source);
+    const Verdict verdict = arguments.unverified ? Verdict() : verdict_on(file, threads_of(0));
+    if (arguments.unverified && !arguments.json) fmt::print("{}: {}\n", file.string(), kNotJudged);
+    for (const std::string& path : source.reader.plan_paths()) {
+      names.push_back(path);
+      names.push_back(path.substr(0, path.rfind('/')));
+    }
     for (const int k : selected_plans(arguments, source)) {
       const Plan plan = source.reader.read(k);
+      const std::string& path = source.reader.plan_paths()[k];
+      if (const std::string violation = verdict.violation_of(path); !violation.empty()) {
+        if (arguments.json)
+          all.push_back({{"plan", path}, {"status", kNotVerified}, {"violation", violation}});
+        else
+          fmt::print("{}{}\n  {:<13} rejected by verify: {}; --unverified prints what it says\n",
+                     shown > 0 ? "\n" : "", path, kNotVerified, violation);
+        ++shown;
+        continue;
+      }
       std::optional<Demonstration> recording;
       if (source.recordings) recording = source.recordings->read(plan.demonstration);
       std::vector<explain::TriedAdvice> advice;
+      tried += plan.has_trajectory() ? 0 : 1;
       if (!plan.has_trajectory())
         advice =
             explain::collect_advice(source.robot, plan, source.config ? &*source.config : nullptr,
                                     recording ? &*recording : nullptr);
       if (arguments.json) {
-        all.push_back(json_of(source, plan, source.reader.plan_paths()[k], advice));
+        all.push_back(json_of(source, plan, path, advice));
       } else {
         fmt::print("{}{}", shown > 0 ? "\n" : "", text_of(source, plan, advice));
       }
@@ -171,8 +191,10 @@ int execute(const ExplainArguments& arguments) {
   }
   if (shown == 0 && !arguments.plan.empty())
     throw InputError(
-        fmt::format("{}: contains no plan '{}'; plan names have the form DEMONSTRATION/000",
-                    arguments.file, arguments.plan));
+        fmt::format("{}: contains no plan '{}'{}; plan names have the form DEMONSTRATION/000",
+                    arguments.file, arguments.plan, config::spelling_hint(arguments.plan, names)));
+  if (arguments.try_advice && shown > 0 && tried == 0)
+    fmt::print(stderr, "note: --try: none of these plans lacks a trajectory\n");
   if (arguments.json) fmt::print("{}\n", Json{{"plans", all}}.dump(2));
   if (shown == 0 && !arguments.json) fmt::print("no plan is infeasible\n");
   return 0;
@@ -188,6 +210,7 @@ CommandAction add_explain_arguments(CLI::App& app) {
       "Plan each infeasible movement again with the advice, one by one, until one succeeds");
   app.add_option("--dataset", arguments->dataset,
                  "demonstrations.h5 for --try (default: the one in the run's folder)");
+  add_unverified_option(app, arguments->unverified, "explain what the file says of them");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
 }

@@ -9,6 +9,7 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "stages/export/export_plans.hpp"
 #include "stages/export/joint_group.hpp"
@@ -22,6 +23,7 @@ constexpr double kMaxRate_hz = 1e4;
 struct ExportArguments {
   std::string plans, out, approach{name_of(exports::ApproachMode::apart)};
   exports::ExportOptions options;
+  bool unverified = false;
 };
 
 int execute(ExportArguments& arguments) {
@@ -31,12 +33,15 @@ int execute(ExportArguments& arguments) {
   if (std::isnan(motion.rate_hz)) throw InputError("--rate: must be a number of points per second");
   motion.approach = *enum_from_name<exports::ApproachMode>(arguments.approach);
   run::OutputFolder folder(arguments.out);
+  arguments.options.not_verified = expect_verified(plans, arguments.unverified, threads_of(0));
   const exports::ExportReport report =
       exports::export_plans(plans, folder.path(), arguments.options);
   folder.keep();
   for (const exports::SkippedPlan& skipped : report.skipped)
     fmt::print("{} skipped: {}\n", skipped.plan, skipped.reason);
   for (const std::string& file : report.files) fmt::print("{}\n", (folder.path() / file).string());
+  if (arguments.unverified) fmt::print("note: the plans were not verified, which the index says\n");
+  if (!report.limit_use.empty()) fmt::print("{}\n", report.limit_use);
   if (!report.remark.empty()) fmt::print("note: {}\n", report.remark);
   fmt::print("{} and the index written, {} skipped\n",
              count_with_noun(report.files.size() - 1, "file"),
@@ -58,7 +63,8 @@ CommandAction add_export_arguments(CLI::App& app) {
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--rate", options.motion.rate_hz,
-                 "Points per second, on the certified curve (default: the samples of the plan)")
+                 "Points per second, on the certified curve (default: the samples of the plan, and "
+                 "points between them until cubic interpolation is within the limits)")
       ->check(CLI::Range(1e-3, kMaxRate_hz));
   app.add_option("--delay", options.motion.delay_s,
                  "Time that each motion waits in its first posture, s")
@@ -68,6 +74,7 @@ CommandAction add_export_arguments(CLI::App& app) {
                  "trajectory (joined), or none")
       ->check(one_of({"apart", "joined", "none"}));
   app.add_flag("--replace", options.replace, "Replace existing files whose content differs");
+  add_unverified_option(app, arguments->unverified, "export them marked as not verified");
   return [arguments] { return execute(*arguments); };
 }
 

@@ -12,6 +12,7 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/import_summary.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/run/output_files.hpp"
 
 namespace morphe::commands {
 namespace {
@@ -27,7 +28,9 @@ int execute(const imports::ImportRequest& request, const fs::path& out, const fs
       !out.empty() && std::ranges::any_of(request.paths, [](const fs::path& path) {
         return fs::is_directory(path);
       });
-  const GeneratedManifest manifest(fs::path(out).replace_extension(".recordings.yaml"));
+  const fs::path manifest_file = fs::path(out).replace_extension(".recordings.yaml");
+  const run::OutputFiles outputs({out, writes_manifest ? manifest_file : fs::path()});
+  const GeneratedManifest manifest(manifest_file);
   if (writes_manifest) manifest.expect_replaceable();
   Assumptions assumptions;
   ClipOutput clip_output(clips);

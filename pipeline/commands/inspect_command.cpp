@@ -58,6 +58,7 @@ struct InspectArguments {
 };
 
 int execute(const InspectArguments& arguments) {
+  expect_effect(!arguments.points || !arguments.json, "--points", "with --json, which lists them");
   const InspectOptions options = options_of(arguments.config);
   const std::vector<std::filesystem::path>& paths = arguments.request.paths;
   std::vector<Inspection> all;

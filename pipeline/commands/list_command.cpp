@@ -15,12 +15,15 @@
 #include "pipeline/commands/reference_frames_table.hpp"
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
+#include "pipeline/commands/verdict.hpp"
 
 namespace morphe::commands {
 namespace {
 
-std::string list_json(const PlanFileHeader& header, const std::vector<PlanRow>& rows) {
-  nlohmann::ordered_json json{{"assumptions", assumptions_json(header.assumptions)},
+std::string list_json(const PlanFileHeader& header, const std::vector<PlanRow>& rows,
+                      const std::string& not_verified) {
+  nlohmann::ordered_json json{{"not_verified", not_verified},
+                              {"assumptions", assumptions_json(header.assumptions)},
                               {"plans", nlohmann::ordered_json::array()}};
   for (const PlanRow& row : rows) {
     nlohmann::ordered_json figures;
@@ -40,27 +43,33 @@ CommandAction add_list_arguments(CLI::App& app) {
   struct Arguments {
     std::string file;
     RowSelection choice;
-    bool json = false;
+    bool json = false, unverified = false;
   };
   const auto arguments = std::make_shared<Arguments>();
   app.add_option("FILE", arguments->file, "plans.h5 or the folder of a run")->required();
   add_row_options(app, arguments->choice);
+  add_unverified_option(app, arguments->unverified, "print what the file says of them");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     check_selection(arguments->choice);
-    const store::PlanReader plans(find_plans_file(arguments->file));
+    const std::filesystem::path file = find_plans_file(arguments->file);
+    const store::PlanReader plans(file);
+    check_filters(arguments->choice, plans.plan_paths());
+    const Verdict verdict = arguments->unverified ? Verdict() : verdict_on(file, threads_of(0));
+    const std::string not_verified = arguments->unverified ? kNotJudged : verdict.text();
     const robot::Robot robot(plans.robot());
     const explain::AdviceContext context = explain::advice_context(plans.header().config);
     std::vector<PlanRow> rows;
     std::map<std::string, int> all_branches;
     for (std::size_t k = 0; k < plans.size(); ++k) {
       PlanRow row = row_of(robot, plans.read(k), context);
+      distrust(row, verdict.violation_of(row.name));
       if (row.branch.number) ++all_branches[branch_phrase(row.branch)];
       if (is_selected(arguments->choice, row)) rows.push_back(std::move(row));
     }
     sort_rows(arguments->choice, rows);
     if (arguments->json) {
-      fmt::print("{}\n", list_json(plans.header(), rows));
+      fmt::print("{}\n", list_json(plans.header(), rows, not_verified));
       return 0;
     }
     note_other_branches(all_branches, rows);
@@ -70,6 +79,8 @@ CommandAction add_list_arguments(CLI::App& app) {
     std::map<std::string, int> branches;
     for (const PlanRow& row : rows)
       if (row.branch.number) ++branches[branch_phrase(row.branch)];
+    if (!not_verified.empty())
+      fmt::print("{}", wrap_line(fmt::format("{}: {}", file.string(), not_verified), width, ""));
     fmt::print("{}{}{}{}{} of {}\n", plan_table(rows, width),
                reference_frames_text(plans.robot().name, rows, width),
                branches_text(plans.robot().name, branches, rows, width),

@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <exception>
 #include <functional>
 #include <map>
+#include <new>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
+#include "core/store/hdf5_exit.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/import_question_text.hpp"
 #include "pipeline/commands/standard_streams.hpp"
 #include "pipeline/commands/suggestions.hpp"
+#include "pipeline/run/abnormal_end.hpp"
 #include "pipeline/run/stop_signal.hpp"
 
 namespace {
@@ -23,6 +27,7 @@ namespace {
 namespace commands = morphe::commands;
 
 constexpr int kInputErrorExitCode = 2;
+constexpr const char* kOutOfMemory = "out of memory";
 
 /// Returns true if the processor supports the instructions for which the program was compiled.
 bool is_cpu_supported() {
@@ -58,7 +63,6 @@ int execute(int argc, char** argv) {
     std::fputs("morphe: built for processors with AVX2 and FMA (see MORPHE_ARCH)\n", stderr);
     return kInputErrorExitCode;
   }
-  morphe::run::watch_stop_signals();
   std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error like a full disk
   CLI::App app(
       "Morphe turns recorded human reaches and grasps into executable robot trajectories.\n"
@@ -81,6 +85,7 @@ int execute(int argc, char** argv) {
       return print_usage_error(commands::unknown_command(app, first), "");
   }
   try {
+    morphe::run::watch_stop_signals();
     app.parse(argc, argv);
     return actions.at(app.get_subcommands().front())();
   } catch (const CLI::ParseError& error) {
@@ -93,6 +98,8 @@ int execute(int argc, char** argv) {
                commands::import_question_text(question, {argv + 1, argv + argc}));
   } catch (const morphe::InputError& error) {
     fmt::print(stderr, "{}\n", error.what());
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "morphe: %s\n", kOutOfMemory);
   } catch (const std::exception& error) {
     fmt::print(stderr, "morphe: {}\n", error.what());
   }
@@ -102,6 +109,15 @@ int execute(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  commands::guard_standard_streams();
-  return commands::flush_standard_output(execute(argc, argv));
+  morphe::run::report_abnormal_ends();
+  morphe::store::close_nothing_at_exit();
+  int code = kInputErrorExitCode;
+  try {
+    commands::guard_standard_streams();
+    code = commands::flush_standard_output(execute(argc, argv));
+  } catch (const std::exception&) {  // not even the message of an error could be made
+    std::fprintf(stderr, "morphe: %s\n", kOutOfMemory);
+  }
+  morphe::run::expect_end();
+  return code;
 }

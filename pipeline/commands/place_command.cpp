@@ -13,6 +13,7 @@
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/place/place.hpp"
 #include "pipeline/place/reachability_map.hpp"
+#include "pipeline/run/output_files.hpp"
 #include "pipeline/run/status_line.hpp"
 #include "stages/import/import.hpp"
 
@@ -111,6 +112,7 @@ std::string config_text(const PlaceArguments& arguments, const place::PlacementR
 int execute(const PlaceArguments& arguments) {
   for (const std::string& out : {arguments.out, arguments.reach_map})
     files::expect_not_input(out, arguments.config);
+  const run::OutputFiles outputs({arguments.out, arguments.reach_map});
   const planning::LoadedConfig config = planning::load_config(arguments.config, arguments.settings);
   const place::PlaceOptions options = options_of(arguments, config);
   const planning::PlanningInputs planner{config.options, config.robot};

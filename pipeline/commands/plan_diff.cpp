@@ -6,15 +6,19 @@
 
 #include "core/motion/input_error.hpp"
 #include "core/store/plan_file.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/run/config_changes.hpp"
 
 namespace morphe::commands {
 namespace {
 
 /// Returns the row of a plan; of one that cannot be read, a row "damaged" with the error.
-PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, std::size_t index) {
+PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, const Verdict& verdict,
+                 std::size_t index) {
   try {
-    return row_of(robot, plans.read(index));
+    PlanRow row = row_of(robot, plans.read(index));
+    distrust(row, verdict.violation_of(row.name));
+    return row;
   } catch (const InputError& error) {
     PlanRow row;
     row.name = plans.plan_paths()[index];
@@ -25,18 +29,28 @@ PlanRow read_row(const store::PlanReader& plans, const robot::Robot& robot, std:
   }
 }
 
-std::vector<PlanPair> pairs_of(const store::PlanReader& first, const store::PlanReader& second) {
+/// Returns the verdict; on a file that cannot be read to its end, one that rejects it.
+Verdict verdict_on_damaged(const std::filesystem::path& plans, int jobs) {
+  try {
+    return verdict_on(plans, jobs);
+  } catch (const InputError& error) {
+    return {{{"", error.what()}}, error.what(), 1};
+  }
+}
+
+std::vector<PlanPair> pairs_of(const store::PlanReader& first, const store::PlanReader& second,
+                               const Verdict& on_first, const Verdict& on_second) {
   const robot::Robot robot_of_first(first.robot()), robot_of_second(second.robot());
   std::vector<PlanPair> pairs;
   std::map<std::string, std::size_t> pair_of;
   for (std::size_t k = 0; k < first.size(); ++k) {
     pair_of[first.plan_paths()[k]] = pairs.size();
-    pairs.push_back({first.plan_paths()[k], read_row(first, robot_of_first, k), {}});
+    pairs.push_back({first.plan_paths()[k], read_row(first, robot_of_first, on_first, k), {}});
   }
   for (std::size_t k = 0; k < second.size(); ++k) {
     const auto [entry, is_new] = pair_of.emplace(second.plan_paths()[k], pairs.size());
     if (is_new) pairs.push_back({second.plan_paths()[k], {}, {}});
-    pairs[entry->second].second = read_row(second, robot_of_second, k);
+    pairs[entry->second].second = read_row(second, robot_of_second, on_second, k);
   }
   return pairs;
 }
@@ -85,10 +99,15 @@ double PlanPair::change(int figure) const {
   return in_both() ? second->figures[figure] - first->figures[figure] : kUnknown;
 }
 
-PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second) {
-  PlanDiff diff{first, second, {}, {}, {}, {}, run::diff_files(first, second)};
+PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second,
+                       bool unverified, int jobs) {
   const store::PlanReader a(first), b(second);
-  diff.pairs = pairs_of(a, b);
+  const Verdict on_a = unverified ? Verdict() : verdict_on_damaged(first, jobs);
+  const Verdict on_b = unverified ? Verdict() : verdict_on_damaged(second, jobs);
+  PlanDiff diff{
+      first, second, on_a.text(), on_b.text(), {}, {}, {}, {}, run::diff_files(first, second)};
+  if (unverified) diff.first_not_verified = diff.second_not_verified = kNotJudged;
+  diff.pairs = pairs_of(a, b, on_a, on_b);
   for (int k = 0; k < kPlanFigureCount; ++k) diff.figures[k] = change_of(diff.pairs, k);
   if (a.header().config != b.header().config)
     diff.config_changes = run::config_changes(a.header().config, b.header().config);

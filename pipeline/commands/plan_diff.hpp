@@ -33,6 +33,7 @@ struct FigureChange {
 /// The differences of two plans.h5 files.
 struct PlanDiff {
   std::filesystem::path first, second;
+  std::string first_not_verified, second_not_verified;  ///< why; "" for files that are verified
   std::vector<PlanPair> pairs;  ///< in the order of the first file, then those of the second alone
   std::array<FigureChange, kPlanFigureCount> figures;
   std::vector<std::string> config_changes;  ///< such as "map.starts 24 -> 32"
@@ -42,8 +43,10 @@ struct PlanDiff {
   bool equal() const { return dataset_differences.differences.empty(); }
 };
 
-/// Compares two plans.h5 files. Throws InputError for a file that is not a plans.h5.
-PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second);
+/// Compares two plans.h5 files; plans that `verify` rejects have no figures, unless `unverified`.
+/// Throws InputError for a file that is not a plans.h5.
+PlanDiff compare_plans(const std::filesystem::path& first, const std::filesystem::path& second,
+                       bool unverified, int jobs);
 
 /// Returns the pairs of which a row is selected, sorted by name or by |change|, the largest first.
 std::vector<PlanPair> select_pairs(const PlanDiff& diff, const RowSelection& choice);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/config/spelling_hint.hpp"
 #include "core/motion/arm_estimate.hpp"
 #include "core/motion/assumption_text.hpp"
 #include "core/motion/finding_text.hpp"
@@ -116,6 +117,11 @@ constexpr std::array<FigureColumn, 13> kColumns{{{"mapped_tip_error", "mapped", 
                                                  {"clearance", "clearance", "mm", 11},
                                                  {"duration_ratio", "duration", "ratio", 2}}};
 
+/// Returns the demonstration of "<demonstration>/<000>".
+std::string demonstration_of(const std::string& plan_name) {
+  return plan_name.substr(0, plan_name.rfind('/'));
+}
+
 }  // namespace
 
 PlanRow row_of(const robot::Robot& robot, const Plan& plan, const explain::AdviceContext& context) {
@@ -132,6 +138,16 @@ PlanRow row_of(const robot::Robot& robot, const Plan& plan, const explain::Advic
   row.assumptions = plan_assumptions(plan);
   row.clearances = plan.certificate.clearance_by_kind;
   return row;
+}
+
+void distrust(PlanRow& row, const std::string& violation) {
+  if (violation.empty()) return;
+  PlanRow rest;
+  rest.name = row.name;
+  rest.status = kNotVerified;
+  rest.figures.fill(kUnknown);
+  rest.lines = {"rejected by verify: " + violation};
+  row = std::move(rest);
 }
 
 std::string row_to_json(const PlanRow& row) {
@@ -188,8 +204,37 @@ void check_selection(const RowSelection& choice) {
       fmt::format("--sort: '{}' is not one of name, {}", choice.sort_key, fmt::join(keys, ", ")));
 }
 
+std::string unknown_filter(const RowSelection& choice, const std::vector<std::string>& plan_names) {
+  std::vector<std::string> words{"repaired", kNotVerified};
+  for (std::size_t k = 0; k < enum_count<Status>(); ++k)
+    words.emplace_back(name_of(static_cast<Status>(k)));
+  for (std::size_t k = 1; k < enum_count<Reason>(); ++k)
+    words.emplace_back(name_of(static_cast<Reason>(k)));
+  for (const std::string& word : choice.filters) {
+    const bool is_known = std::ranges::find(words, word) != words.end() ||
+                          std::ranges::any_of(plan_names, [&](const std::string& name) {
+                            return report::matches_pattern(name, word) ||
+                                   report::matches_pattern(demonstration_of(name), word);
+                          });
+    if (is_known) continue;
+    std::vector<std::string> candidates = words;
+    for (const std::string& name : plan_names) {
+      candidates.push_back(name);
+      candidates.push_back(demonstration_of(name));
+    }
+    return fmt::format("no plan has the status, reason or name '{}'{}", word,
+                       config::spelling_hint(word, candidates));
+  }
+  return "";
+}
+
+void check_filters(const RowSelection& choice, const std::vector<std::string>& plan_names) {
+  const std::string unknown = unknown_filter(choice, plan_names);
+  if (!unknown.empty()) throw InputError("--only: " + unknown);
+}
+
 bool is_selected(const RowSelection& choice, const PlanRow& row) {
-  const std::string demonstration = row.name.substr(0, row.name.rfind('/'));
+  const std::string demonstration = demonstration_of(row.name);
   return std::ranges::all_of(choice.filters, [&](const std::string& word) {
     return word == row.status || (word == name_of(Status::executable) && row.executable()) ||
            (!row.reason.empty() && word == row.reason) || report::matches_pattern(row.name, word) ||

@@ -33,6 +33,12 @@ struct PlanRow {
 PlanRow row_of(const robot::Robot& robot, const Plan& plan,
                const explain::AdviceContext& context = {});
 
+/// The status of a plan that `verify` rejects.
+inline constexpr const char* kNotVerified = "not verified";
+/// Removes from a row all that rests on the plan's word, and gives it kNotVerified and the
+/// violation; does nothing if the violation is "".
+void distrust(PlanRow& row, const std::string& violation);
+
 /// Converts a row to one line of JSON, as the journal of a run stores it.
 std::string row_to_json(const PlanRow& row);
 /// Converts the JSON back to an identical row.
@@ -46,6 +52,11 @@ struct RowSelection {
 
 /// Throws InputError with the list of valid keys if the key is invalid.
 void check_selection(const RowSelection& choice);
+/// Returns the message for a filter that is no status and no reason and fits none of the plans of
+/// these names, or "".
+std::string unknown_filter(const RowSelection& choice, const std::vector<std::string>& plan_names);
+/// Throws that message as InputError "--only: …".
+void check_filters(const RowSelection& choice, const std::vector<std::string>& plan_names);
 /// Returns true if a row satisfies all filters; "executable" includes repaired plans.
 bool is_selected(const RowSelection& choice, const PlanRow& row);
 /// Sorts the rows. Rows without the figure come last.

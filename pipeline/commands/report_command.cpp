@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "core/files/atomic_file.hpp"
@@ -11,7 +12,9 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/plans_file.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/report/report.hpp"
+#include "pipeline/run/output_files.hpp"
 #include "pipeline/run/output_folder.hpp"
 
 namespace morphe::commands {
@@ -22,6 +25,7 @@ namespace fs = std::filesystem;
 struct ReportArguments {
   std::vector<std::string> files, worst;
   std::string out, svg;
+  bool unverified = false;
   report::ReportRequest request;
 };
 
@@ -39,7 +43,7 @@ std::vector<report::ReportRequest::Run> runs_of(const std::vector<std::string>& 
       std::string name = stem_or_folder(file);
       for (int k = 2; !names.insert(name).second; ++k)
         name = fmt::format("{} ({})", stem_or_folder(file), k);
-      runs.push_back({file, name});
+      runs.push_back({file, name, ""});
     }
   }
   return runs;
@@ -70,21 +74,26 @@ int execute(ReportArguments& arguments) {
   for (const auto& [given, option] : {std::pair(!request.meshes.empty(), "--meshes"),
                                       std::pair(!request.physics.empty(), "--simulation")})
     expect_effect(!given || !arguments.out.empty(), option, "on filmstrips; give --out PAGE.html");
-  request.runs = runs_of(arguments.files);
-  for (const auto& run : request.runs) files::expect_not_input(arguments.out, run.plans);
-  request.jobs = threads_of(0);
   parse_worst_option(arguments.worst, request.selection);
+  request.runs = runs_of(arguments.files);
+  request.jobs = threads_of(0);
+  for (auto& run : request.runs) {
+    files::expect_not_input(arguments.out, run.plans);
+    run.not_verified = expect_verified(run.plans, arguments.unverified, request.jobs);
+  }
+  const run::OutputFiles page({arguments.out});
+  std::optional<run::OutputFolder> pictures;
+  if (!arguments.svg.empty()) pictures.emplace(arguments.svg);
   if (!arguments.out.empty()) {
     const report::ReportSummary summary = report::write_report(request, arguments.out);
     for (const std::string& note : summary.notes) fmt::print("{}\n", note);
     fmt::print("{}: {}, {:.1f} MB\n", arguments.out, count_with_noun(summary.shown, "plan"),
                1e-6 * static_cast<double>(fs::file_size(arguments.out)));
   }
-  if (!arguments.svg.empty()) {
-    run::OutputFolder folder(arguments.svg);
-    for (const std::string& file : report::write_filmstrips(request, folder.path()))
-      fmt::print("{}\n", (folder.path() / file).string());
-    folder.keep();
+  if (pictures) {
+    for (const std::string& file : report::write_filmstrips(request, pictures->path()))
+      fmt::print("{}\n", (pictures->path() / file).string());
+    pictures->keep();
   }
   return 0;
 }
@@ -111,6 +120,7 @@ CommandAction add_report_arguments(CLI::App& app) {
                  "Folders written by morphe simulate (default: physics in the folder of the plans)")
       ->type_name("DIR")
       ->allow_extra_args(false);
+  add_unverified_option(app, arguments->unverified, "show them marked as not verified");
   return [arguments] { return execute(*arguments); };
 }
 

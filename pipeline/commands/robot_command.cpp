@@ -12,6 +12,7 @@
 #include "pipeline/describe/robot_svg.hpp"
 #include "pipeline/describe/robot_text.hpp"
 #include "pipeline/describe/self_collision.hpp"
+#include "pipeline/run/output_files.hpp"
 
 namespace morphe::commands {
 
@@ -45,6 +46,7 @@ CommandAction add_robot_arguments(CLI::App& app) {
     if (arguments->file.empty()) throw InputError("robot: needs FILE or the subcommand setup");
     for (const std::string& out : {arguments->svg, arguments->urdf})
       files::expect_not_input(out, arguments->file);
+    const run::OutputFiles outputs({arguments->svg, arguments->urdf});
     const robot::RobotDescription robot = read_robot(arguments->file);
     if (!arguments->svg.empty())
       files::write_atomically(arguments->svg, describe::robot_svg(robot.table));

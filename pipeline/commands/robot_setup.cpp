@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -105,8 +106,7 @@ void write_description(const setup::SetupResult& result, const fs::path& out,
                        PrintedSentences& printed) {
   files::write_atomically(out, result.text);
   const robot::RobotDescription robot = robot::load_robot(out);
-  fs::path picture = out;
-  picture.replace_extension(".svg");
+  const fs::path picture = picture_of(out);
   files::write_atomically(picture, describe::robot_svg(robot.table, result.points));
   fmt::print("{}", derived_text(result.derived));
   for (const std::string& note : result.notes) printed.print("note", note);
@@ -142,7 +142,6 @@ void describe_input(const SetupArguments& arguments, const SetupInput& input, bo
   const fs::path urdf = urdf_of_input(input);
   setup::SetupRequest request = request_for(arguments, urdf, input.description);
   if (alone) request.name = arguments.name;
-  if (!alone) request.hand.clear();
   setup::SetupResult result;
   {
     run::StatusLine status;
@@ -154,11 +153,30 @@ void describe_input(const SetupArguments& arguments, const SetupInput& input, bo
   write_description(result, input.description, printed);
 }
 
+/// Refuses options that change nothing for these inputs.
+void check_effects(const SetupArguments& arguments, const std::vector<SetupInput>& inputs) {
+  const bool alone = inputs.size() == 1;
+  expect_effect(!alone || arguments.mount.empty(), "--mount",
+                "on one file; it mounts a hand on an arm: give both");
+  expect_effect(alone || arguments.hand.empty(), "--hand",
+                "on an arm and a hand; set up the hand by itself first");
+  const bool all_described = std::ranges::all_of(
+      inputs, [](const SetupInput& input) { return input.kind == robot::RobotFile::description; });
+  const std::string reason = "on robot descriptions; it is for a URDF or MJCF";
+  expect_effect(!all_described || arguments.arm.empty(), "--arm", reason);
+  expect_effect(!all_described || arguments.elbow.empty(), "--elbow", reason);
+  expect_effect(!all_described || arguments.packages.empty(), "--package", reason);
+  expect_effect(!all_described || arguments.limits.empty(), "--limit", reason);
+  expect_effect(!all_described || arguments.capsules == 0, "--capsules", reason);
+}
+
 int execute(const SetupArguments& arguments) {
   const fs::path out = arguments.out;
-  const std::vector<SetupInput> inputs =
+  const SetupFiles files =
       check_setup_inputs(arguments.inputs, out, package_paths_of(arguments.packages).packages,
                          limits_of(arguments.limits));
+  const std::vector<SetupInput>& inputs = files.inputs;
+  check_effects(arguments, inputs);
   PrintedSentences printed;
   for (const SetupInput& input : inputs) {
     if (input.kind != robot::RobotFile::description)

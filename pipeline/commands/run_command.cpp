@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "core/files/sha256.hpp"
@@ -20,10 +21,13 @@
 #include "pipeline/commands/run_dataset_file.hpp"
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/text_table.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/planning/plan_movement.hpp"
 #include "pipeline/planning/run_config.hpp"
 #include "pipeline/planning/verified_plan.hpp"
 #include "pipeline/report/report.hpp"
+#include "pipeline/run/output_files.hpp"
+#include "pipeline/run/output_folder.hpp"
 #include "pipeline/run/run_dataset.hpp"
 #include "pipeline/run/run_folder.hpp"
 #include "stages/import/import.hpp"
@@ -71,8 +75,9 @@ struct RobotRun {
   fs::path plans() const { return folder->path() / "plans.h5"; }
 };
 
+/// Opens the folder of each robot; of several, the folder that contains them is `common`.
 std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& software,
-                              const run::Shard& shard) {
+                              const run::Shard& shard, std::optional<run::OutputFolder>& common) {
   std::vector<RobotRun> runs;
   if (!arguments.from.empty()) {
     runs.push_back({"", planning::stored_config(arguments.from), nullptr, {}});
@@ -82,6 +87,7 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
   }
   for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded))
     if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+  if (!runs.front().name.empty()) common.emplace(arguments.out);
   for (RobotRun& one : runs) {
     const fs::path folder =
         one.name.empty() ? fs::path(arguments.out) : arguments.out / fs::path(one.name);
@@ -116,14 +122,18 @@ void print_table(const RunArguments& arguments, const RobotRun& one) {
   if (one.summary.movements <= kMaxPrintedRows || !choice.sort_key.empty() ||
       !choice.filters.empty()) {
     std::vector<PlanRow> rows;
+    std::vector<std::string> names;
     one.folder->journal().each_row([&](const std::string& text) {
       PlanRow row = row_from_json(text);
+      names.push_back(row.name);
       if (is_selected(choice, row)) rows.push_back(std::move(row));
     });
     sort_rows(choice, rows);
     note_other_branches(one.summary.branches, rows);
     const std::size_t width = terminal_width();
     fmt::print("{}{}", plan_table(rows, width), reference_frames_text(robot.name, rows, width));
+    if (const std::string unknown = unknown_filter(choice, names); !unknown.empty())
+      fmt::print("note: --only: {}\n", unknown);
     if (!choice.filters.empty())
       fmt::print("shown: {} of {} plans\n", rows.size(), one.summary.movements);
     named = std::move(rows);
@@ -213,10 +223,12 @@ void print_results(const RunArguments& arguments, const std::vector<RobotRun>& r
 void write_page(const RunArguments& arguments, const std::vector<RobotRun>& runs) {
   report::ReportRequest request;
   request.jobs = threads_of(arguments.jobs);
-  for (const RobotRun& one : runs)
-    request.runs.push_back(
-        {one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name});
+  for (const RobotRun& one : runs) {
+    request.runs.push_back({one.plans(), one.name.empty() ? one.config.loaded.robot.name : one.name,
+                            verdict_on(one.plans(), request.jobs).text()});
+  }
   const fs::path page = fs::path(arguments.out) / "report.html";
+  const run::OutputFiles lock({page});
   report::write_report(request, page);
   if (!arguments.json && !arguments.quiet) fmt::print("{}: open it in a browser\n", page.string());
 }
@@ -230,7 +242,8 @@ int execute(const RunArguments& arguments) {
   expect_printed_rows(arguments.choice, arguments.json, arguments.quiet);
   const std::string software = morphe::software();
   const run::Shard shard = run::parse_shard(arguments.shard);
-  std::vector<RobotRun> runs = runs_of(arguments, software, shard);
+  std::optional<run::OutputFolder> common;
+  std::vector<RobotRun> runs = runs_of(arguments, software, shard, common);
   imports::ImportRequest recordings = arguments.recordings;
   recordings.paths = dataset_of(arguments, runs.front().config.loaded);
   RunDatasetFile dataset(std::move(recordings), arguments.out, arguments.fresh);

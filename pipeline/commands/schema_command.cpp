@@ -12,6 +12,8 @@
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/doc_tables.hpp"
 #include "pipeline/planning/config_schema.hpp"
+#include "pipeline/run/output_files.hpp"
+#include "pipeline/run/output_folder.hpp"
 #include "pipeline/study/study.hpp"
 #include "pipeline/synthesize/synthesize.hpp"
 #include "stages/import/folders/manifest.hpp"
@@ -60,10 +62,11 @@ const FileKind& find_file_kind(const std::string& name) {
 }
 
 int write_all(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
+  run::OutputFolder out(folder);
   for (const FileKind& kind : kFileKinds) {
     const std::filesystem::path file = folder / fmt::format("{}.json", kind.name);
     files::write_atomically(file, text_of(kind));
+    out.keep();
     fmt::print("{}\n", file.string());
   }
   return 0;
@@ -85,6 +88,7 @@ CommandAction add_schema_arguments(CLI::App& app) {
     if (arguments->out.empty()) {
       fmt::print("{}", text);
     } else {
+      const run::OutputFiles lock({arguments->out});
       files::write_atomically(arguments->out, text);
       fmt::print("{}\n", arguments->out);
     }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "core/files/atomic_file.hpp"
 #include "core/motion/input_error.hpp"
@@ -47,28 +48,38 @@ std::vector<fs::path> outputs_of(const SetupInput& input) {
   return {input.description, converted_urdf(input)};
 }
 
-void check_outputs(const std::vector<SetupInput>& inputs, const fs::path& out) {
+/// Locks all outputs and checks that they can be written.
+run::OutputFiles lock_outputs(const std::vector<SetupInput>& inputs, const fs::path& out) {
   std::set<fs::path> outputs;
   const auto add = [&](const fs::path& file) {
     if (!outputs.insert(fs::absolute(file).lexically_normal()).second) {
       throw InputError(fmt::format(
           "{}: would be written twice; give another --out, or rename an input", file.string()));
     }
-    const files::AtomicFile can_be_written(file);
   };
   for (const SetupInput& input : inputs)
     for (const fs::path& file : outputs_of(input)) add(file);
   if (inputs.size() > 1) add(out);
-  for (const fs::path& output : outputs)
-    for (const SetupInput& input : inputs) files::expect_not_input(output, input.file);
+  std::vector<fs::path> files(outputs.begin(), outputs.end());
+  for (const fs::path& file : outputs)
+    if (file.extension() != ".urdf") files.push_back(picture_of(file));
+  run::OutputFiles lock(files);
+  for (const fs::path& file : files) {
+    for (const SetupInput& input : inputs) files::expect_not_input(file, input.file);
+    const files::AtomicFile can_be_written(file);
+  }
+  return lock;
 }
 
 }  // namespace
 
-std::vector<SetupInput> check_setup_inputs(const std::vector<std::string>& files,
-                                           const fs::path& out,
-                                           const std::map<std::string, fs::path>& packages,
-                                           const robot::GivenLimits& limits) {
+fs::path picture_of(const fs::path& description) {
+  return fs::path(description).replace_extension(".svg");
+}
+
+SetupFiles check_setup_inputs(const std::vector<std::string>& files, const fs::path& out,
+                              const std::map<std::string, fs::path>& packages,
+                              const robot::GivenLimits& limits) {
   if (files.size() > 2) throw InputError("robot setup: needs an arm, a hand, or both");
   for (const auto& [name, folder] : packages) {
     if (!fs::is_directory(folder))
@@ -88,9 +99,9 @@ std::vector<SetupInput> check_setup_inputs(const std::vector<std::string>& files
     if (input.kind == RobotFile::mjcf) expect_converted_or_absent(input);
     inputs.push_back(std::move(input));
   }
-  check_outputs(inputs, out);
+  run::OutputFiles outputs = lock_outputs(inputs, out);
   for (const SetupInput& input : inputs) read_once(input, limits);
-  return inputs;
+  return {std::move(inputs), std::move(outputs)};
 }
 
 fs::path urdf_of_input(const SetupInput& input) {

@@ -7,6 +7,7 @@
 
 #include "core/robot/files/robot_file.hpp"
 #include "core/robot/files/urdf_model.hpp"
+#include "pipeline/run/output_files.hpp"
 
 namespace morphe::commands {
 
@@ -17,13 +18,24 @@ struct SetupInput {
   std::filesystem::path description;
 };
 
+/// The inputs of `robot setup`, and the lock of all files that it will write.
+struct SetupFiles {
+  std::vector<SetupInput> inputs;
+  run::OutputFiles outputs;
+};
+
+/// Returns the drawing that is written beside a description.
+std::filesystem::path picture_of(const std::filesystem::path& description);
+
 /// Returns the inputs of `robot setup`: one URDF or MJCF, which becomes `out`, or an arm and a
 /// hand, whose URDFs or MJCFs become descriptions beside `out`. Before any work, throws InputError
 /// for inputs that cannot be read, outputs that cannot be written or would overwrite an input or
-/// each other, and folders of packages that do not exist. `limits` replace those of a URDF.
-std::vector<SetupInput> check_setup_inputs(
-    const std::vector<std::string>& files, const std::filesystem::path& out,
-    const std::map<std::string, std::filesystem::path>& packages, const robot::GivenLimits& limits);
+/// each other, outputs that another command is writing, and folders of packages that do not exist.
+/// `limits` replace those of a URDF.
+SetupFiles check_setup_inputs(const std::vector<std::string>& files,
+                              const std::filesystem::path& out,
+                              const std::map<std::string, std::filesystem::path>& packages,
+                              const robot::GivenLimits& limits);
 
 /// Returns the URDF of an input that is not a description. An MJCF is converted: the URDF is
 /// written beside the description, and its path and the parts that it lacks are printed.

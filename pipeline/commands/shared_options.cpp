@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstring>
 #include <thread>
 
 #include "core/config/spelling_hint.hpp"
 #include "core/files/data_files.hpp"
+#include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
+#include "pipeline/run/startable_threads.hpp"
 #include "stages/import/folders/given_options.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 
@@ -38,7 +41,19 @@ void add_jobs_option(CLI::App& app, int& jobs) {
 }
 
 int threads_of(int jobs) {
-  return jobs > 0 ? jobs : std::max<int>(1, std::thread::hardware_concurrency());
+  const int wanted = jobs > 0 ? jobs : std::max<int>(1, std::thread::hardware_concurrency());
+  int error = 0;
+  const int threads = 1 + run::startable_threads(wanted - 1, error);
+  if (jobs > 0 && error != 0)
+    throw InputError(
+        fmt::format("--jobs {}: only {} can be started: {}: give a smaller number, or raise the "
+                    "limits of processes and memory (ulimit -u, ulimit -v)",
+                    jobs, count_with_noun(threads, "thread"), std::strerror(error)));
+  return threads;
+}
+
+void add_unverified_option(CLI::App& app, bool& unverified, const char* effect) {
+  app.add_flag("--unverified", unverified, fmt::format("Do not verify the plans: {}", effect));
 }
 
 void add_row_options(CLI::App& app, RowSelection& choice) {

@@ -26,8 +26,12 @@ CLI::Validator one_of(const std::vector<std::string>& names);
 
 /// Adds --jobs N; 0 (the default) means one thread per core.
 void add_jobs_option(CLI::App& app, int& jobs);
-/// Returns the number of threads for a value of --jobs.
+/// Returns the number of threads for a value of --jobs: for 0 one per core, or as many as can be
+/// started. Throws InputError if a given number cannot be started.
 int threads_of(int jobs);
+
+/// Adds --unverified, which sets `unverified`; `effect` continues "Do not verify the plans: ".
+void add_unverified_option(CLI::App& app, bool& unverified, const char* effect);
 
 /// Adds --sort KEY and --only WHAT, which set `choice` (see check_selection()).
 void add_row_options(CLI::App& app, RowSelection& choice);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "core/files/atomic_file.hpp"
 #include "core/files/sha256.hpp"
@@ -15,6 +17,7 @@
 #include "pipeline/commands/shared_options.hpp"
 #include "pipeline/commands/simulation_table.hpp"
 #include "pipeline/commands/text_table.hpp"
+#include "pipeline/commands/verdict.hpp"
 #include "pipeline/run/output_folder.hpp"
 #include "pipeline/run/status_line.hpp"
 #include "stages/simulate/results.hpp"
@@ -31,8 +34,9 @@ struct SimulateArguments {
   std::vector<double> friction_range, mass_range;
   simulate::SimulateOptions options;
   RowSelection choice;
+  std::optional<std::uint64_t> seed;
   int jobs = 0;
-  bool fresh = false, quiet = false, json = false;
+  bool fresh = false, quiet = false, json = false, unverified = false;
 };
 
 struct SimulationTask {
@@ -50,6 +54,7 @@ struct SimulationOutput {
 
 std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& arguments,
                                                const store::PlanReader& reader,
+                                               const std::string& not_verified,
                                                run::OutputFolder& folder) {
   const robot::Robot robot(reader.robot());
   const std::string program = files::sha256_of_file("/proc/self/exe");
@@ -65,7 +70,8 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
       if (!arguments.choice.filters.empty() &&
           !is_selected(arguments.choice, row_of(robot, task->plan)))
         continue;
-      task->key = simulate::result_key(robot, task->plan, arguments.options, program);
+      task->key =
+          simulate::result_key(robot, task->plan, arguments.options, program + not_verified);
       task->file = folder.path() / fmt::format("{}_{:03}.json", task->plan.demonstration,
                                                task->plan.movement.index);
       if (!arguments.fresh) task->found = simulate::read_result(task->file, task->key);
@@ -80,6 +86,7 @@ std::vector<simulate::PlanResult> simulate_all(const SimulateArguments& argument
       output->result = *task.found;
     } else {
       output->result = simulate::simulate_plan(robot, task.plan, task.name, arguments.options);
+      output->result.not_verified = not_verified;
       output->text = simulate::result_json(output->result, arguments.options, task.key);
     }
     return output;
@@ -115,19 +122,28 @@ int execute(SimulateArguments& arguments) {
     throw InputError("simulate: --" + error);
   check_selection(arguments.choice);
   const bool varies = arguments.options.rollouts > 1;
-  for (const auto& [range, option] : {std::pair(&arguments.friction_range, "--friction-range"),
-                                      std::pair(&arguments.mass_range, "--mass-range")})
-    expect_effect(varies || range->empty(), option,
-                  "on the first rollout; give --rollouts 2 or more");
-  const store::PlanReader reader(find_plans_file(arguments.plans));
+  arguments.options.seed = arguments.seed.value_or(arguments.options.seed);
+  for (const auto& [is_given, option] :
+       {std::pair(!arguments.friction_range.empty(), "--friction-range"),
+        std::pair(!arguments.mass_range.empty(), "--mass-range"),
+        std::pair(arguments.seed.has_value(), "--seed")})
+    expect_effect(varies || !is_given, option, "on the first rollout; give --rollouts 2 or more");
+  const fs::path plans = find_plans_file(arguments.plans);
+  const store::PlanReader reader(plans);
+  check_filters(arguments.choice, reader.plan_paths());
   if (!arguments.servos.empty())
     arguments.options.servos = simulate::read_servos(arguments.servos, reader.robot());
   run::OutputFolder folder(arguments.out);
-  const std::vector<simulate::PlanResult> results = simulate_all(arguments, reader, folder);
+  const std::string not_verified =
+      expect_verified(plans, arguments.unverified, threads_of(arguments.jobs));
+  const std::vector<simulate::PlanResult> results =
+      simulate_all(arguments, reader, not_verified, folder);
   std::string table = simulate::csv_header();
   for (const simulate::PlanResult& result : results) table += simulate::csv_rows(result);
   files::write_atomically(folder.path() / "simulation.csv", table);
   folder.keep();
+  if (!not_verified.empty() && !arguments.json)
+    fmt::print("{}: {}\n", plans.string(), not_verified);
   fmt::print("{}", arguments.json ? simulation_json(results)
                                   : simulation_table(results, arguments.options, terminal_width()));
   return 0;
@@ -176,7 +192,7 @@ CommandAction add_simulate_arguments(CLI::App& app) {
   app.add_option("--time-step", options.step_s, "Time step of the simulation, s (default: 0.002)");
   app.add_option("--integrator", arguments->integrator, "Integrator: implicit or euler")
       ->check(one_of({"implicit", "euler"}));
-  app.add_option("--seed", options.seed, "Random seed of the variations (default: 1)");
+  app.add_option("--seed", arguments->seed, "Random seed of the variations (default: 1)");
   app.add_option(
          "--only", arguments->choice.filters,
          "Only plans with this status, reason or name (with * and ?); if repeated, all must match")
@@ -185,6 +201,7 @@ CommandAction add_simulate_arguments(CLI::App& app) {
   add_jobs_option(app, arguments->jobs);
   app.add_flag("--fresh", arguments->fresh, "Simulate again even if the result already exists");
   app.add_flag("--quiet", arguments->quiet, "Show no progress");
+  add_unverified_option(app, arguments->unverified, "simulate them; the results say so");
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] { return execute(*arguments); };
 }

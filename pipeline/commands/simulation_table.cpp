@@ -160,6 +160,7 @@ std::string simulation_json(const std::vector<PlanResult>& results) {
   for (const PlanResult& result : results) {
     const SimulationSummary f = summarise(result);
     plans.push_back({{"plan", result.plan},
+                     {"not_verified", result.not_verified},
                      {"skip_reason", name_of(result.skip_reason)},
                      {"detail", result.detail},
                      {"rollouts", result.rollouts.size()},

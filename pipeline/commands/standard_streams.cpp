@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <string>
 #include <string_view>
 
@@ -49,11 +50,15 @@ std::string escape_controls(std::string_view text) {
 /// Writes to a stream as fopencookie() requires, and always reports that all bytes were accepted.
 ssize_t write_guarded(void* cookie, const char* bytes, std::size_t count) {
   GuardedStream& stream = *static_cast<GuardedStream*>(cookie);
-  std::string text = std::move(stream.pending) + std::string(bytes, count);
-  const std::size_t rest = files::incomplete_utf8_bytes(text);
-  stream.pending = text.substr(text.size() - rest);
-  text.resize(text.size() - rest);
-  write_all(stream, escape_controls(text));
+  try {
+    std::string text = std::move(stream.pending) + std::string(bytes, count);
+    const std::size_t rest = files::incomplete_utf8_bytes(text);
+    stream.pending = text.substr(text.size() - rest);
+    text.resize(text.size() - rest);
+    write_all(stream, escape_controls(text));
+  } catch (const std::bad_alloc&) {  // must not pass through the C library
+    if (stream.error == 0) stream.error = ENOMEM;
+  }
   return static_cast<ssize_t>(count);
 }
 

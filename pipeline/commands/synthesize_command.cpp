@@ -11,6 +11,7 @@
 #include "core/store/demonstration_file.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/shared_options.hpp"
+#include "pipeline/run/output_files.hpp"
 #include "pipeline/synthesize/synthesize.hpp"
 
 namespace morphe::commands {
@@ -41,6 +42,7 @@ int execute(const SynthesizeArguments& arguments) {
   const synthesize::SynthesizeOptions options = load_options(arguments.config);
   files::expect_not_input(arguments.out, arguments.config);
   files::expect_not_input(truth_file_for(arguments.out), arguments.config);
+  const run::OutputFiles outputs({arguments.out, truth_file_for(arguments.out)});
   store::DemonstrationWriter recorded(arguments.out), truth(truth_file_for(arguments.out));
   double recorded_s = 0;
   parallel::OrderedParallelMap<std::size_t, synthesize::SyntheticRecording> map;

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <optional>
+#include <set>
 
 namespace morphe::commands {
 namespace {
@@ -27,9 +29,52 @@ std::string cell(const std::string& text, std::size_t width, bool left) {
   return left ? text + blank : blank + text;
 }
 
+/// Returns the first and the last `last` characters of a text, with … between, in `width`
+/// characters; the text itself if it fits.
+std::string abridge(const std::string& text, std::size_t width, std::size_t last) {
+  if (display_width(text) <= width) return text;
+  std::size_t front = 0, back = text.size();
+  for (std::size_t count = 0; count < width - 1 - last; ++count)
+    for (++front; front < text.size() && is_utf8_continuation(text[front]);) ++front;
+  for (std::size_t count = 0; count < last; ++count)
+    for (--back; back > 0 && is_utf8_continuation(text[back]);) --back;
+  return text.substr(0, front) + "…" + text.substr(back);
+}
+
+/// How the names of the first column are shortened.
+struct NameShortening {
+  std::size_t width = kMinFirstColumn_chars, last = (kMinFirstColumn_chars - 1) / 2;
+};
+
+/// Returns true if different names stay different.
+bool keeps_apart(const std::set<std::string>& names, const NameShortening& shortening) {
+  std::set<std::string> texts;
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    return texts.insert(abridge(name, shortening.width, shortening.last)).second;
+  });
+}
+
+/// Returns the characters that are kept at the end: half of them, or a number at which different
+/// names stay different; no value without such a number.
+std::optional<std::size_t> kept_at_end(const std::set<std::string>& names, std::size_t width) {
+  const std::size_t half = (width - 1) / 2;
+  if (keeps_apart(names, {width, half})) return half;
+  for (std::size_t last = width - 1; last-- > 0;)
+    if (keeps_apart(names, {width, last})) return last;
+  return std::nullopt;
+}
+
+/// Returns the least width of the first column at which different names stay different.
+std::size_t least_name_width(const std::set<std::string>& names, std::size_t natural_width) {
+  std::size_t width = std::min(natural_width, kMinFirstColumn_chars);
+  while (width < natural_width && !kept_at_end(names, width)) ++width;
+  return width;
+}
+
 struct ColumnLayout {
   std::vector<int> columns;  ///< indices of the columns that are shown
   std::vector<std::size_t> widths;
+  std::size_t kept_at_end = 0;  ///< characters of a shortened name
   std::string dropped_columns;
 
   std::size_t width() const {
@@ -51,12 +96,13 @@ ColumnLayout natural_layout(const TextTable& table) {
 }
 
 /// Drops columns, the highest drop_priority first, until the table fits with a first column of
-/// kMinFirstColumn_chars. Then shortens the first column as necessary, down to that width.
+/// least_name_width(). Then shortens the first column as necessary, down to that width.
 void fit_to_width(const TextTable& table, std::size_t width, ColumnLayout& layout) {
   const std::size_t name_width = layout.widths[0];
-  const auto needed = [&] {
-    return layout.width() - name_width + std::min(name_width, kMinFirstColumn_chars);
-  };
+  std::set<std::string> names;
+  for (const TextTable::Row& row : table.rows) names.insert(replace_controls(row.cells[0]));
+  const std::size_t least_width = least_name_width(names, name_width);
+  const auto needed = [&] { return layout.width() - name_width + least_width; };
   while (needed() > width) {
     const auto dropped = std::ranges::max_element(
         layout.columns, {}, [&](int c) { return table.columns[c].drop_priority; });
@@ -70,8 +116,10 @@ void fit_to_width(const TextTable& table, std::size_t width, ColumnLayout& layou
   }
   if (layout.width() > width) {
     const std::size_t others = layout.width() - name_width;
-    layout.widths[0] =
-        std::max(std::min(name_width, kMinFirstColumn_chars), width > others ? width - others : 0);
+    layout.widths[0] = std::max(least_width, width > others ? width - others : 0);
+    // A width above the least one may have no such number; then the least one is taken.
+    if (!kept_at_end(names, layout.widths[0])) layout.widths[0] = least_width;
+    layout.kept_at_end = kept_at_end(names, layout.widths[0]).value_or(0);
   }
 }
 
@@ -80,7 +128,9 @@ std::string line_of(const TextTable& table, const ColumnLayout& layout, const Te
   std::string line;
   for (int k = 0; k < std::ssize(layout.columns); ++k) {
     const int c = layout.columns[k];
-    const std::string text = shorten(replace_controls(text_of(c)), layout.widths[k]);
+    const std::string whole = replace_controls(text_of(c));
+    const std::string text = k == 0 ? abridge(whole, layout.widths[k], layout.kept_at_end)
+                                    : shorten(whole, layout.widths[k]);
     line += (k > 0 ? std::string(kColumnGap_chars, ' ') : "") +
             cell(text, layout.widths[k], table.columns[c].left);
   }
@@ -91,14 +141,7 @@ std::string line_of(const TextTable& table, const ColumnLayout& layout, const Te
 }  // namespace
 
 std::string shorten(const std::string& text, std::size_t max_width) {
-  if (display_width(text) <= max_width) return text;
-  const std::size_t last = (max_width - 1) / 2;
-  std::size_t front = 0, back = text.size();
-  for (std::size_t count = 0; count < max_width - 1 - last; ++count)
-    for (++front; front < text.size() && is_utf8_continuation(text[front]);) ++front;
-  for (std::size_t count = 0; count < last; ++count)
-    for (--back; back > 0 && is_utf8_continuation(text[back]);) --back;
-  return text.substr(0, front) + "…" + text.substr(back);
+  return abridge(text, max_width, (max_width - 1) / 2);
 }
 
 std::string wrap_line(const std::string& text, std::size_t width, const std::string& indent) {

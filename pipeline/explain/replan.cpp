@@ -18,6 +18,8 @@ planning::PipelineConfig apply_settings(const planning::RunConfig& config,
   const scene::SceneOptions& loaded = config.loaded.options.scene;
   options.scene.objects = loaded.objects;  // including their meshes
   options.scene.file_objects = loaded.file_objects;
+  if (options.scene.target.body && loaded.target.body)
+    options.scene.target.body->mesh = loaded.target.body->mesh;
   options.scene.meshes = loaded.meshes;
   return options;
 }

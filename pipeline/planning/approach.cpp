@@ -91,13 +91,6 @@ JointPath reverse_path(const Trajectory& trajectory, const JointPath& approach) 
 
 }  // namespace
 
-std::string validation_error(const ApproachOptions& options) {
-  if (!(options.limit_scaling > 0) || !(options.limit_scaling <= 1)) {
-    return "limit_scaling must be above 0 and at most 1";
-  }
-  return "";
-}
-
 JointVector home_posture(const RobotModel& robot, const ApproachOptions& options) {
   JointVector home = JointVector::Zero(robot.joints());
   for (const ApproachOptions::Joint& joint : options.home) {

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
+
 namespace morphe::planning {
 
 /// The robot's posture before and after a plan, and the motions to and from it (config section
@@ -20,15 +22,13 @@ struct ApproachOptions {
 template <class Fields>
 void fields(Fields& f, ApproachOptions::Joint& o) {
   f.required("joint", o.joint);
-  f.required("value", o.value);
+  f.required("value", o.value, bounds::kJointPosition);
 }
 template <class Fields>
 void fields(Fields& f, ApproachOptions& o) {
   f("home", o.home);
-  f("limit_scaling", o.limit_scaling);
+  f("limit_scaling", o.limit_scaling, bounds::kShare.from(1e-3));
   f("retreat", o.retreat);
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const ApproachOptions& options);
 
 }  // namespace morphe::planning

@@ -39,6 +39,10 @@ inline constexpr double kContactArmWeight = 100;
 /// Weight that keeps the hand's posture while it holds the target [1/rad²]: a finger that the goals
 /// of all tips pull at with an error of 5 mm yields by less than 1e-4 rad.
 inline constexpr double kHeldHandWeight = 1e7;
+/// Weight that keeps the hand's posture on a target that is not carried [1/rad²]: more than what
+/// pulls at the joint that the goal of a pad leaves free, so that the pad keeps its direction, and
+/// less than a tenth of what holds the pad.
+inline constexpr double kClosedHandWeight = 100;
 /// Weight that keeps the arm near the frame before while it is led along with the target [1/rad²].
 inline constexpr double kHeldArmWeight = 1;
 /// Number of other starts from which the posture at the grasp is solved, and how far their fingers

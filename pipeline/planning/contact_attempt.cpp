@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/math/seed.hpp"
+#include "core/robot/tree.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contact_posture.hpp"
 #include "pipeline/planning/held_path.hpp"
@@ -16,11 +17,14 @@
 #include "stages/grasp/closure_goals.hpp"
 #include "stages/grasp/demonstrated_contacts.hpp"
 #include "stages/grasp/held_goals.hpp"
+#include "stages/grasp/measure.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/re_solve_path.hpp"
 
 namespace morphe::planning {
 namespace {
+
+bool carries_target(const Movement& movement) { return !std::isnan(carrying_begin_s(movement)); }
 
 /// Returns the mapping problem of the attempt's goals, with the contacts' normals for their pads.
 map::MappingProblem problem_of(const ContactContext& context,
@@ -31,17 +35,27 @@ map::MappingProblem problem_of(const ContactContext& context,
   map::MappingProblem problem = map::make_mapping_problem(
       robot, plan.goals, world, context.planner.config.map, plan.movement.phases);
   problem.objective.get<humanlike::PadDirection>().weight *= kPadDirectionFactor;
+  const grasp::HoldInterval hold = grasp::hold_interval(plan.movement);
+  const bool is_holding = attempt.held.size() > 0;
+  if (is_holding) {
+    const double weight = carries_target(plan.movement) ? kHeldHandWeight : kClosedHandWeight;
+    hold_joints(hold, attempt.held, weight, problem);
+  }
   for (std::size_t f = 0; f < problem.frames(); ++f) {
     const Eigen::Matrix3d target_rotation = recorded_pose(context.target, problem.time[f]).linear();
     std::vector<Vec3>& normals = problem.goals[f].pad_normal;
+    const bool is_rigid =
+        is_holding && carries_target(plan.movement) && grasp::is_held_at(hold, problem.time[f]);
+    if (is_rigid) {
+      normals.clear();  // they cannot change
+      continue;
+    }
     normals.assign(robot.tips.size(), unknown_point());
     for (const grasp::DesiredContact& contact : attempt.contacts) {
       if (contact.origin == ContactOrigin::demonstrated)
         normals[contact.tip] = target_rotation * contact.normal;
     }
   }
-  if (attempt.held.size() > 0)
-    hold_hand(grasp::hold_interval(plan.movement), attempt.held, problem);
   return problem;
 }
 
@@ -51,11 +65,76 @@ void set_pad_goals(const ContactContext& context, ContactAttempt& attempt) {
                        attempt.plan.goals);
 }
 
+/// Returns the posture of the grasp in which the pads of the attempt's contacts touch, solved from
+/// `start` with the weights of a posture in contact. Joints keep their positions with the weights
+/// `stay` [n].
+ContactPosture touching_posture(const ContactContext& context, const ContactAttempt& attempt,
+                                std::size_t frame, const JointVector& start,
+                                const JointVector& stay) {
+  return solve_contact_posture(
+      with_clearance_weights(problem_of(context, context.world, attempt), kContactPostureWeights),
+      frame, attempt.contacts, start, stay, context.planner.config.map, context.seed);
+}
+
+/// Returns weights with which the fingers move freely, and the arm hardly.
+JointVector stay_weights_of_arm(const robot::Robot& robot) {
+  JointVector stay = JointVector::Zero(static_cast<Eigen::Index>(robot.joints()));
+  for (const int joint : robot.arm_joints) stay[joint] = kContactArmWeight;
+  return stay;
+}
+
+/// Returns the joints between the palm and a tip.
+std::vector<int> joints_of_finger(const robot::Robot& robot, std::size_t tip) {
+  std::vector<int> joints;
+  for (int joint = 0; joint < static_cast<int>(robot.joints()); ++joint) {
+    const bool of_arm = std::ranges::find(robot.arm_joints, joint) != robot.arm_joints.end();
+    if (!of_arm && robot::joint_moves_frame(robot, joint, robot.tips[tip].frame))
+      joints.push_back(joint);
+  }
+  return joints;
+}
+
+/// Returns weights with which only the finger of a tip moves.
+JointVector stay_weights_except_finger(const robot::Robot& robot, std::size_t tip) {
+  JointVector stay =
+      JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), kHeldHandWeight);
+  for (const int joint : joints_of_finger(robot, tip)) stay[joint] = 0;
+  return stay;
+}
+
+/// Returns the angle between pad and surface of the contact of a tip, or infinity if the pad does
+/// not touch.
+double angle_if_touching(const ContactContext& context, double time_s,
+                         const ContactPosture& posture, std::size_t tip) {
+  const std::vector<PadContact> contacts =
+      grasp::measure_contacts(context.world, posture.contacts, posture.q, time_s);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    if (posture.contacts[k].tip == tip && contacts[k].state == ContactState::touching)
+      return contacts[k].pad_angle;
+  }
+  return kInfinity;
+}
+
+/// Turns a finger that has closed, in the posture `touching`, so that its pad slides until it faces
+/// the surface as well as it can. Nothing changes if that is no better.
+void face_surface(const ContactContext& context, std::size_t tip, std::size_t frame,
+                  JointVector& touching, ContactAttempt& attempt) {
+  ContactPosture facing = touching_posture(context, attempt, frame, touching,
+                                           stay_weights_except_finger(context.planner.robot, tip));
+  const double time_s = attempt.plan.goals.time[frame];
+  const auto angle = [&](const ContactPosture& posture) {
+    return angle_if_touching(context, time_s, posture, tip);
+  };
+  if (!(angle(facing) < angle({touching, attempt.contacts}))) return;
+  touching = std::move(facing.q);
+  attempt.contacts = std::move(facing.contacts);
+}
+
 /// Closes the fingers without goals at the frame of the grasp, in the posture `touching` too.
 void close_other_fingers(const ContactContext& context, const std::vector<std::string>& given_up,
                          std::size_t frame, JointVector& touching, ContactAttempt& attempt) {
   const robot::Robot& robot = context.planner.robot;
-  Goals& goals = attempt.plan.goals;
+  const Goals& goals = attempt.plan.goals;
   const Movement& movement = attempt.plan.movement;
   std::vector<std::size_t> tips =
       grasp::tips_without_goals(robot, goals, grasp::hold_interval(movement));
@@ -65,13 +144,13 @@ void close_other_fingers(const ContactContext& context, const std::vector<std::s
   grasp::FingerClosures closed =
       grasp::close_fingers(context.world, goals.time[frame], tips, touching);
   std::ranges::move(closed.open_reasons, std::back_inserter(attempt.notes));
-  grasp::set_closure_goals(robot, closed.closings, movement, context.target,
-                           attempt.plan.path.position, goals);
   for (const grasp::FingerClosure& closing : closed.closings) {
     attempt.contacts.push_back(closing.contact);
     touching += closing.turn;
   }
   touching = touching.cwiseMax(robot.lower).cwiseMin(robot.upper);
+  for (const grasp::FingerClosure& closing : closed.closings)
+    face_surface(context, closing.contact.tip, frame, touching, attempt);
 }
 
 /// Lets the hand keep the posture `touching` until the release, and the arm follow the target.
@@ -80,7 +159,6 @@ void hold_target(const ContactContext& context, std::size_t frame, const JointVe
   Plan& plan = attempt.plan;
   grasp::set_held_goals(context.planner.robot, attempt.contacts, touching, frame, plan.movement,
                         context.target, plan.goals);
-  attempt.held = touching;
   const map::MappingProblem problem =
       with_clearance_weights(problem_of(context, context.world, attempt), kContactWeights);
   follow_target(problem, frame, touching, context.planner.config.map, plan.path.position);
@@ -102,21 +180,24 @@ void aim_hand(const ContactContext& context, const std::vector<std::string>& giv
   const JointVector before = path.row(frame).transpose();
   const Goals of_tips = goals;
   set_pad_goals(context, attempt);
-  ContactPosture posture = solve_contact_posture(
-      with_clearance_weights(problem_of(context, context.world, attempt), kContactPostureWeights),
-      frame, attempt.contacts, before, config.map, context.seed);
+  ContactPosture posture =
+      touching_posture(context, attempt, frame, before, stay_weights_of_arm(context.planner.robot));
   attempt.contacts = std::move(posture.contacts);
-  goals = of_tips;
-  set_pad_goals(context, attempt);
-  JointVector touching = std::move(posture.q);
+  if (config.grasp->close_fingers)
+    close_other_fingers(context, given_up, frame, posture.q, attempt);
+  const JointVector& touching = posture.q;
   for (std::size_t f = 0; f < goals.frames(); ++f) {
     const double progress = grasp::closing_progress(hold, goals.time[f]);
     if (progress == 0) continue;
     path.row(f) += progress * (touching - before).transpose();
   }
-  if (config.grasp->close_fingers) close_other_fingers(context, given_up, frame, touching, attempt);
-  if (!std::isnan(carrying_begin_s(attempt.plan.movement)))
-    hold_target(context, frame, touching, attempt);
+  goals = of_tips;
+  set_pad_goals(context, attempt);
+  grasp::set_closure_goals(context.planner.robot, attempt.contacts, attempt.plan.movement,
+                           context.target, path, goals);
+  attempt.held = touching;
+  for (const int joint : context.planner.robot.arm_joints) attempt.held[joint] = kUnknown;
+  if (carries_target(attempt.plan.movement)) hold_target(context, frame, touching, attempt);
 }
 
 /// Returns the whole path, optimised locally with kContactWeights. The frames before the preshape

@@ -37,8 +37,10 @@ struct ContactAttempt {
   /// The contacts of the request and those of fingers that close.
   std::vector<grasp::DesiredContact> contacts;
   std::vector<std::string> notes;  ///< one sentence each
-  JointVector held;                ///< [n] posture whose hand holds the target, or empty
-  PlanningFailure failure;         ///< set if the path still has findings
+  /// [n] positions that joints keep while the hand holds the target, NaN for those that are free;
+  /// empty before the fingers have closed.
+  JointVector held;
+  PlanningFailure failure;  ///< set if the path still has findings
 };
 
 /// Plans the contacts of a request, starting from the plan `by_tips`, which follows the tips:

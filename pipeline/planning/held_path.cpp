@@ -7,25 +7,12 @@
 #include "stages/map/frame_search.hpp"
 
 namespace morphe::planning {
-namespace {
 
-/// Returns the joints of the hand as `held` has them, and NaN for those of the arm.
-JointVector hand_goals(const robot::Robot& robot, const JointVector& held) {
-  JointVector goals = held;
-  for (const int joint : robot.arm_joints) goals[joint] = kUnknown;
-  return goals;
-}
-
-}  // namespace
-
-void hold_hand(const grasp::HoldInterval& hold, const JointVector& held,
-               map::MappingProblem& problem) {
-  problem.objective.get<humanlike::JointAngle>().weight = kHeldHandWeight;
-  const JointVector angles = hand_goals(*problem.robot, held);
+void hold_joints(const grasp::HoldInterval& hold, const JointVector& held, double weight,
+                 map::MappingProblem& problem) {
+  problem.objective.get<humanlike::JointAngle>().weight = weight;
   for (std::size_t f = 0; f < problem.frames(); ++f) {
-    if (!grasp::is_held_at(hold, problem.time[f])) continue;
-    problem.goals[f].angles = angles;
-    problem.goals[f].pad_normal.clear();
+    if (grasp::is_held_at(hold, problem.time[f])) problem.goals[f].angles = held;
   }
 }
 

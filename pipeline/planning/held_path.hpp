@@ -7,11 +7,10 @@
 
 namespace morphe::planning {
 
-/// Adds to a problem that the hand keeps the posture of `held` [n] while it holds the target
-/// (grasp::is_held_at), by the term JointAngle with the weight kHeldHandWeight. The pads'
-/// directions have no goals then, because they cannot change.
-void hold_hand(const grasp::HoldInterval& hold, const JointVector& held,
-               map::MappingProblem& problem);
+/// Adds to a problem that joints keep the positions `held` [n] while the hand holds the target
+/// (grasp::is_held_at), by the term JointAngle with a weight [1/rad²]. A joint with NaN is free.
+void hold_joints(const grasp::HoldInterval& hold, const JointVector& held, double weight,
+                 map::MappingProblem& problem);
 
 /// Sets the frames of `path` [F, n] from `grasp_frame` on to solutions of `problem`, each found
 /// from the one before, the first from `held`. They also continue after the release, because the

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/motion/key_bounds.hpp"
+
 namespace morphe::planning {
 
 /// The options for planning a movement of a hand without an arm in parts (config section `split`).
@@ -10,9 +12,7 @@ struct PartsOptions {
 };
 template <class Fields>
 void fields(Fields& f, PartsOptions& o) {
-  f("min_duration_s", o.min_duration_s);
+  f("min_duration_s", o.min_duration_s, bounds::kDuration.from(0.1));
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const PartsOptions& options);
 
 }  // namespace morphe::planning

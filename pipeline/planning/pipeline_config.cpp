@@ -4,59 +4,28 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <iterator>
 #include <optional>
-#include <set>
+#include <string_view>
+#include <system_error>
 
 #include "core/config/fields.hpp"
+#include "core/files/given_files.hpp"
 #include "core/files/sha256.hpp"
 #include "core/motion/version.hpp"
 #include "pipeline/planning/assumptions.hpp"
+#include "pipeline/planning/input_names.hpp"
 
 namespace morphe::planning {
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read", file.string()));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 using Paths = std::vector<std::filesystem::path>;
 
-/// Returns the deepest folder that contains all files. There must be at least one.
-std::filesystem::path common_folder(const Paths& files) {
-  std::filesystem::path common = files.front().parent_path();
-  for (const auto& file : files) {
-    while (file.lexically_relative(common).string().starts_with(".."))
-      common = common.parent_path();
-  }
-  return common;
-}
+/// Begin the settings that say which input is the config, always the first one, and which entry of
+/// `robots` is meant, if it has several.
+const std::string kConfigSetting = "config=", kRobotSetting = "robots=";
 
-/// Returns the names and texts of the files from which a run was made. To hide their locations, the
-/// files of each group are named relative to their deepest common folder, or by their file names if
-/// that is the root. A name already in use gets a numbered folder.
-std::vector<PlanFileHeader::Input> name_inputs(const std::vector<Paths>& groups) {
-  std::vector<PlanFileHeader::Input> inputs;
-  std::set<std::string> used_names;
-  for (Paths files : groups) {
-    for (auto& file : files) file = std::filesystem::absolute(file).lexically_normal();
-    const std::filesystem::path common = common_folder(files);
-    for (const auto& file : files) {
-      const auto inside =
-          common == common.root_path() ? file.filename() : file.lexically_relative(common);
-      std::string name = inside.generic_string();
-      for (int number = 2; !used_names.insert(name).second; ++number)
-        name = fmt::format("{}/{}", number, inside.generic_string());
-      inputs.push_back({name, text_of(file)});
-    }
-  }
-  return inputs;
-}
-
-config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files);
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files,
+                                 const files::GivenFiles* given);
 
 /// Returns the config named by the key `extends` of a config, or of an entry of its robots; nullopt
 /// without this key. `files` are those read on the way here, and receives those that are read now.
@@ -66,18 +35,19 @@ std::optional<config::ConfigNode> load_base(const config::ConfigNode& node, Path
   constexpr std::size_t kMaxExtendsDepth = 100;
   if (files.size() > kMaxExtendsDepth)
     extends.fail(fmt::format("more than {} configs extend one another", kMaxExtendsDepth));
-  const std::filesystem::path base = node.folder() / extends.text();
+  const std::filesystem::path base = files::located(node.folder() / extends.text(), node.given());
   for (const auto& known : files) {
-    if (std::filesystem::weakly_canonical(known) == std::filesystem::weakly_canonical(base)) {
+    std::error_code ignored;
+    if (known == base || (!node.given() && std::filesystem::equivalent(known, base, ignored)))
       extends.fail("names a config that itself extends this one");
-    }
   }
-  return load_extended(base, files);
+  return load_extended(base, files, node.given());
 }
 
 /// Loads a config, with omitted keys taken from those that it extends. Appends all to `files`.
-config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files) {
-  config::ConfigNode node = config::ConfigNode::load(file);
+config::ConfigNode load_extended(const std::filesystem::path& file, Paths& files,
+                                 const files::GivenFiles* given) {
+  config::ConfigNode node = config::ConfigNode::load(file, given);
   files.push_back(file);
   if (const auto base = load_base(node, files)) node.extend(*base);
   return node;
@@ -137,36 +107,58 @@ bool changes_placement(const std::vector<std::string>& settings) {
 
 using Terms = std::vector<std::shared_ptr<const ResidualTerm>>;
 
-/// Loads the options of a config that was read from `files`, and the files that it names.
-LoadedConfig load(config::ConfigNode node, const Paths& files,
-                  const std::vector<std::string>& settings, const Terms& terms) {
-  // A file named by an absolute path is a group of its own; see name_inputs().
-  std::vector<Paths> groups{files};
-  const auto group_of = [&](const std::filesystem::path& named) -> Paths& {
-    return named.is_absolute() ? groups.emplace_back() : groups.front();
-  };
+/// Applies "a.b=value" settings.
+void apply_settings(const std::vector<std::string>& settings, config::ConfigNode& node) {
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw InputError(fmt::format("--set {}: must have the form a.b=value", setting));
-    }
+    if (equals == std::string::npos || equals == 0 || setting.find('\n') != std::string::npos)
+      throw InputError(fmt::format("--set {}: must have the form a.b=value, in one line", setting));
     node.set(setting.substr(0, equals), setting.substr(equals + 1));
   }
+}
+
+/// Replaces absolute paths in options by the names that the files have in plans.h5.
+void hide_paths(const config::ConfigNode& node, const InputNames& names, PipelineConfig& options) {
+  const auto hide = [&](const config::ConfigNode& named, std::string& file) {
+    if (std::filesystem::path(file).is_absolute()) file = names.without_paths(file, named.file());
+  };
+  hide(node["robot"]["file"], options.robot.file);
+  if (options.dataset) hide(node["dataset"]["file"], options.dataset->file);
+  if (!options.scene.file.empty()) hide(node["scene"]["file"], options.scene.file);
+  for (std::size_t k = 0; k < options.scene.objects.size(); ++k)
+    hide(node["scene"]["objects"].items()[k], options.scene.objects[k].file);
+  if (options.scene.target.body)
+    hide(node["scene"]["target"]["body"], options.scene.target.body->file);
+}
+
+/// Sets the inputs and settings of a config from its files, with names in place of paths.
+void name_inputs(const config::ConfigNode& node, LoadedConfig& loaded) {
+  InputNames names(loaded.files);
+  names.hide(loaded.dataset);
+  hide_paths(node, names, loaded.options);
+  for (std::string& setting : loaded.settings)
+    setting = names.without_paths(std::move(setting), loaded.files.front());
+  loaded.inputs = names.read();
+}
+
+/// Loads the options of a config that was read from `files`, and the files that it names. Only a
+/// config of the disk gets inputs and settings.
+LoadedConfig load(config::ConfigNode node, const Paths& files,
+                  const std::vector<std::string>& settings, const Terms& terms) {
+  const bool from_disk = !node.given();
+  apply_settings(settings, node);
   LoadedConfig loaded;
+  loaded.settings = settings;
   config::read_document(node, loaded.options);
   if (changes_placement(settings)) loaded.options.placement.found_by.reset();
-  add_custom_terms(node, terms, loaded.options.map);
+  if (from_disk) add_custom_terms(node, terms, loaded.options.map);
 
   const robot::RobotDescription robot =
-      robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file);
+      robot::load_robot(node["robot"]["file"].folder() / loaded.options.robot.file, node.given());
   loaded.robot = robot::Robot(robot.table);
-  Paths& with_robot = group_of(loaded.options.robot.file);
-  with_robot.insert(with_robot.end(), robot.files.begin(), robot.files.end());
   if (node.has("scene")) scene::load_scene_files(loaded.options.scene, node["scene"]);
-  if (!loaded.options.scene.file.empty()) {
-    group_of(loaded.options.scene.file)
-        .push_back(node["scene"]["file"].folder() / loaded.options.scene.file);
-  }
+  for (const Paths& own : {files, robot.files, loaded.options.scene.files})
+    loaded.files.insert(loaded.files.end(), own.begin(), own.end());
   if (loaded.options.dataset) {
     loaded.dataset = node["dataset"]["file"].folder() / loaded.options.dataset->file;
   }
@@ -179,12 +171,14 @@ LoadedConfig load(config::ConfigNode node, const Paths& files,
   if (loaded.options.split && !map::is_hand_only(loaded.robot)) {
     node["split"].fail("is only for hands without an arm: " + loaded.robot.name + " has an arm");
   }
-  loaded.assumptions = config_assumptions(loaded.options, robot.assumed, settings);
+  if (from_disk) name_inputs(node, loaded);
+  loaded.assumptions = config_assumptions(loaded.options, robot.assumed, loaded.settings);
   const std::string forbidden =
       forbidden_assumption(loaded.options.must_be_known, loaded.assumptions);
   if (!forbidden.empty()) node["must_be_known"].fail(forbidden);
   loaded.effective = config::write_options(loaded.options);
-  loaded.inputs = name_inputs(groups);
+  if (from_disk)
+    loaded.settings.insert(loaded.settings.begin(), kConfigSetting + loaded.inputs.front().path);
   return loaded;
 }
 
@@ -220,21 +214,31 @@ bool is_carried_by_palm(const PipelineConfig& config) {
 LoadedConfig load_config(const std::filesystem::path& file,
                          const std::vector<std::string>& settings, const Terms& terms) {
   Paths files;
-  const config::ConfigNode node = load_extended(file, files);
+  const config::ConfigNode node = load_extended(file, files, nullptr);
   if (node.has("robots"))
     node["robots"].fail("lists several robots; this command needs the config of one robot");
   return load(node, files, settings, terms);
 }
 
-std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
-                                     const std::vector<std::string>& settings, const Terms& terms) {
-  Paths files{file};
-  config::ConfigNode own = config::ConfigNode::load(file);
+namespace {
+
+/// What load_robots() is to load: from the disk or given files, all robots or one.
+struct LoadRequest {
+  const std::vector<std::string>& settings;
+  const Terms& terms;
+  const files::GivenFiles* given = nullptr;
+  std::optional<std::string> only;  ///< the name of the one robot
+};
+
+std::vector<RobotConfig> load_requested(const std::filesystem::path& file,
+                                        const LoadRequest& request) {
+  Paths files{files::located(file, request.given)};
+  config::ConfigNode own = config::ConfigNode::load(file, request.given);
   std::optional<config::ConfigNode> base = load_base(own, files);
   const bool here = own.has("robots");
   if (!here && !(base && base->has("robots"))) {
     if (base) own.extend(*base);
-    return {{"", load(own, files, settings, terms)}};
+    return {{"", load(own, files, request.settings, request.terms)}};
   }
   const config::ConfigNode robots_node = (here ? own : *base)["robots"];
   const config::ConfigNode list = robots_node.copy_as_document();
@@ -244,6 +248,7 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
   if (base) base->erase("robots");
   std::vector<RobotConfig> robots;
   for (const config::ConfigNode& entry : list.items()) {
+    if (request.only && entry.has("name") && entry["name"].text() != *request.only) continue;
     if (entry.has("dataset"))
       entry["dataset"].fail("is the same for all robots: put it beside `robots`");
     Paths robot_files = files;
@@ -258,16 +263,56 @@ std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
     const std::string name = name_of_entry(node, robots);
     node.erase("name");
     node.erase("extends");
-    robots.push_back({name, load(node, robot_files, settings, terms)});
+    robots.push_back({name, load(node, robot_files, request.settings, request.terms)});
+    std::vector<std::string>& said = robots.back().loaded.settings;
+    if (!request.given) said.insert(said.begin() + 1, kRobotSetting + name);
   }
   return robots;
 }
 
+}  // namespace
+
+std::vector<RobotConfig> load_robots(const std::filesystem::path& file,
+                                     const std::vector<std::string>& settings, const Terms& terms) {
+  return load_requested(file, {settings, terms, nullptr, std::nullopt});
+}
+
+LoadedConfig reload_config(const PlanFileHeader& header) {
+  std::vector<std::string> settings = header.settings;
+  if (settings.empty() || !settings.front().starts_with(kConfigSetting))
+    throw InputError(
+        fmt::format("/@settings: does not begin with {}PATH (files of earlier versions have no "
+                    "settings): plan again",
+                    kConfigSetting));
+  const std::string config = settings.front().substr(kConfigSetting.size());
+  settings.erase(settings.begin());
+  files::GivenFiles given("/inputs");
+  for (const PlanFileHeader::Input& input : header.inputs) given.add(input.path, input.text);
+  std::string name;
+  if (!settings.empty() && settings.front().starts_with(kRobotSetting)) {
+    name = settings.front().substr(kRobotSetting.size());
+    settings.erase(settings.begin());
+  }
+  std::vector<RobotConfig> robots = load_requested(config, {settings, {}, &given, name});
+  if (robots.size() != 1 || robots.front().name != name)
+    throw InputError(fmt::format("/@settings: the config has no robot '{}'", name));
+  LoadedConfig loaded = std::move(robots.front().loaded);
+  loaded.inputs = header.inputs;
+  loaded.settings = header.settings;
+  return loaded;
+}
+
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256) {
-  return {config.effective,  files::sha256(config.effective),
-          dataset_sha256,    software(),
-          built_with(),      config.inputs,
-          config.assumptions};
+  PlanFileHeader header;
+  header.config = config.effective;
+  header.config_sha256 = files::sha256(config.effective);
+  header.dataset_sha256 = dataset_sha256;
+  header.software = software();
+  header.built_with = built_with();
+  header.inputs = config.inputs;
+  header.settings = config.settings;
+  header.assumptions = config.assumptions;
+  return header;
 }
 
 }  // namespace morphe::planning

@@ -92,7 +92,9 @@ struct LoadedConfig {
   robot::Robot robot;
   std::filesystem::path dataset;  ///< resolved against the config's folder; empty if not named
   std::string effective;          ///< YAML with every key, defaults included
-  std::vector<PlanFileHeader::Input> inputs;  ///< the files that were read
+  std::vector<PlanFileHeader::Input> inputs;  ///< the files that were read, as named in plans.h5
+  std::vector<std::string> settings;          ///< as PlanFileHeader::settings
+  std::vector<std::filesystem::path> files;   ///< the same files by the paths that were opened
   std::vector<Assumption> assumptions;        ///< config_assumptions()
 };
 
@@ -119,6 +121,12 @@ struct RobotConfig {
 std::vector<RobotConfig> load_robots(
     const std::filesystem::path& file, const std::vector<std::string>& settings = {},
     const std::vector<std::shared_ptr<const ResidualTerm>>& terms = {});
+
+/// Loads the config of a plans.h5 again, from the inputs and settings of its header alone; nothing
+/// is read from the disk. Its `effective` is the header's config unless that was changed or another
+/// version wrote it. Custom terms are not resolved. Throws InputError as load_config() does, with
+/// files named as in /inputs, and for a file that is not among the inputs.
+LoadedConfig reload_config(const PlanFileHeader& header);
 
 /// Returns the header of a plans.h5 with plans made with the config from the dataset of this hash.
 PlanFileHeader header_of(const LoadedConfig& config, const std::string& dataset_sha256);

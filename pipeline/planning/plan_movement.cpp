@@ -255,6 +255,18 @@ Scene scene_before_contacts(const Plan& plan) {
   return scene;
 }
 
+/// Returns the plan with its scene and its goals; failed if the movement should not be followed.
+Plan placed_plan(const PreparedMovement& setting, const PlacedMovement& placed) {
+  Plan plan = setting.begun;
+  plan.scene = placed.scene;
+  plan.reference_frames = placed.frames;
+  plan.goals = placed.goals;
+  if (!placed.missing_support.empty())
+    return fail(std::move(plan), {Reason::no_reference_frame, placed.missing_support});
+  if (setting.refusal) return fail(std::move(plan), setting.refusal);
+  return plan;
+}
+
 /// Plans a movement with the distances from obstacles that the config states.
 Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demonstration,
                         const HumanMotion& recorded, const Movement& movement,
@@ -262,15 +274,11 @@ Plan plan_as_configured(const PlanningInputs& planner, const Demonstration& demo
   const PipelineConfig& config = planner.config;
   const PreparedMovement setting =
       prepare(planner, demonstration, recorded, movement, known_offset);
-  Plan plan = setting.begun;
-  if (setting.failure) return fail(std::move(plan), setting.failure);
-  PlacedMovement placed(planner, setting.motion, plan.movement, setting.around, setting.offset);
-  plan.scene = placed.scene;
-  plan.reference_frames = placed.frames;
-  plan.goals = placed.goals;
-  if (!placed.missing_support.empty())
-    return fail(std::move(plan), {Reason::no_reference_frame, placed.missing_support});
-  if (setting.refusal) return fail(std::move(plan), setting.refusal);
+  if (setting.failure) return fail(setting.begun, setting.failure);
+  PlacedMovement placed(planner, setting.motion, setting.begun.movement, setting.around,
+                        setting.offset);
+  Plan plan = placed_plan(setting, placed);
+  if (plan.reason != Reason::unplanned) return plan;
   const Scene scene = config.grasp ? scene_before_contacts(plan) : plan.scene;
   collision::CollisionWorld world = collision::make_world(planner.robot, scene, plan.movement,
                                                           plan.tolerances, config.scene.meshes);
@@ -333,6 +341,17 @@ Plan plan_or_plan_farther(const PlanningInputs& planner, const Demonstration& de
 }
 
 }  // namespace
+
+Plan place_movement(const PlanningInputs& planner, const Demonstration& demonstration,
+                    const HumanMotion& recorded, const Movement& movement,
+                    const Vec3& known_offset) {
+  const PreparedMovement setting =
+      prepare(planner, demonstration, recorded, movement, known_offset);
+  if (setting.failure) return fail(setting.begun, setting.failure);
+  const PlacedMovement placed(planner, setting.motion, setting.begun.movement, setting.around,
+                              setting.offset);
+  return placed_plan(setting, placed);
+}
 
 Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstration,
                    const HumanMotion& recorded, const Movement& movement,

@@ -17,6 +17,13 @@ Plan plan_movement(const PlanningInputs& planner, const Demonstration& demonstra
                    const HumanMotion& recorded, const Movement& movement,
                    const std::optional<Vec3>& known_offset = {});
 
+/// Returns the plan of a movement before anything is mapped: what it takes from its recording, with
+/// the base displaced by `known_offset` [m]. A movement that plan_movement() refuses before mapping
+/// has the reason.
+Plan place_movement(const PlanningInputs& planner, const Demonstration& demonstration,
+                    const HumanMotion& recorded, const Movement& movement,
+                    const Vec3& known_offset);
+
 /// A demonstration reconstructed as an arm of the robot's side, and its movements. A recorded arm
 /// of the other side is mirrored, with the objects. These include the other arm as an obstacle, if
 /// any.

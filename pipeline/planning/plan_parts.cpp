@@ -7,10 +7,6 @@
 
 namespace morphe::planning {
 
-std::string validation_error(const PartsOptions& options) {
-  return options.min_duration_s >= 0.1 ? "" : "min_duration_s must be at least 0.1";
-}
-
 std::vector<Plan> plan_parts(const PlanningInputs& planner, const Demonstration& demonstration,
                              const HumanMotion& recorded, const Movement& movement,
                              const PartsOptions& options) {

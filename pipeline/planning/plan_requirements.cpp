@@ -2,39 +2,19 @@
 
 #include <fmt/format.h>
 
-#include "core/config/fields.hpp"
+#include <algorithm>
+#include <filesystem>
+
 #include "core/files/sha256.hpp"
-#include "core/motion/input_error.hpp"
+#include "core/store/plan_header.hpp"
 #include "pipeline/planning/approach.hpp"
-#include "pipeline/planning/assumptions.hpp"
 #include "pipeline/planning/pipeline_config.hpp"
-#include "pipeline/planning/unpacked_inputs.hpp"
+#include "pipeline/run/config_changes.hpp"
+#include "stages/map/placement.hpp"
 #include "stages/scene/configured_body.hpp"
 
 namespace morphe::planning {
 namespace {
-
-robot::RobotDescription robot_in(const std::filesystem::path& file, const UnpackedInputs& files) {
-  robot::RobotDescription robot = robot::load_robot(file);
-  for (const std::filesystem::path& own : robot.files) {
-    if (!files.contains(own))
-      throw InputError(fmt::format("{}: names a file that is not in /inputs", file.string()));
-  }
-  return robot;
-}
-
-/// Returns the robot of the first input file that has the configured name and is a valid robot.
-robot::RobotDescription robot_of(const PipelineConfig& config, const UnpackedInputs& files) {
-  std::string error_text = fmt::format("/inputs: does not contain {}", config.robot.file);
-  for (const std::filesystem::path& file : files.find_all(config.robot.file)) {
-    try {
-      return robot_in(file, files);
-    } catch (const InputError& error) {
-      error_text = error.what();
-    }
-  }
-  throw InputError(error_text);
-}
 
 PlanRequest::ReferenceFrame relative_to(scene::ReferenceFrame frame) {
   switch (frame) {
@@ -51,62 +31,64 @@ PlanRequest::ReferenceFrame relative_to(scene::ReferenceFrame frame) {
   }
 }
 
-void add_bodies(const std::vector<scene::ConfiguredObject>& objects, PlanRequest& request) {
-  for (const scene::ConfiguredObject& object : objects) {
-    PlanRequest::Body& body = request.bodies.emplace_back();
-    if (object.file.empty()) {
-      body.object = scene::configured_body(object, 0);
-      body.relative_to = relative_to(object.relative_to);
-    } else {
-      body.object.name = object.name;
-    }
-  }
+PlanRequest::Placement placement_of(const PipelineConfig& config, const RobotModel& robot) {
+  return {map::rotation_of(config.placement), config.placement.shoulder_offset,
+          config.map.base_offset.limit_m, map::is_hand_only(robot)};
 }
 
-/// Returns the objects of the scene file; empty without one, and for a file with meshes.
-std::vector<scene::ConfiguredObject> file_objects(const scene::SceneOptions& scene,
-                                                  const UnpackedInputs& files) {
-  if (scene.file.empty()) return {};
-  const std::filesystem::path file = files.find(scene.file);
-  if (file.empty()) throw InputError(fmt::format("/inputs: does not contain {}", scene.file));
-  scene::SceneOptions file_only;
-  file_only.table = scene.table;
-  file_only.file = file.string();
-  const config::ConfigNode node =
-      config::ConfigNode::parse(fmt::format("{{file: '{}'}}", file.string()), "/@config");
-  try {
-    scene::load_scene_files(file_only, node);
-  } catch (const InputError&) {
-    return {};
+PlanRequest::TargetShape target_shape(const scene::TargetOptions& target) {
+  PlanRequest::TargetShape shape{{}, target.radius, target.min_radius, target.max_radius};
+  if (target.body) scene::set_shape(*target.body, shape.body.emplace());
+  return shape;
+}
+
+std::vector<std::pair<std::string, double>> other_arm(const scene::SceneOptions& scene) {
+  std::vector<std::pair<std::string, double>> capsules;
+  for (std::size_t k = 0; scene.other_arm && k < scene::kOtherArmNames.size(); ++k)
+    capsules.emplace_back(scene::kOtherArmNames[k], scene.other_arm_radii[k]);
+  return capsules;
+}
+
+/// Returns what the header says otherwise than its inputs and settings.
+std::vector<std::string> header_faults(const PlanFileHeader& header, const LoadedConfig& loaded) {
+  std::vector<std::string> faults;
+  if (loaded.effective != header.config) {
+    for (const std::string& change : run::config_changes(header.config, loaded.effective))
+      faults.push_back("@config: " + change);
+    if (faults.empty())
+      faults.push_back(
+          fmt::format("@config: differs from what this version writes ({})", header.software));
   }
-  return file_only.file_objects;
+  if (header.config_sha256 != files::sha256(header.config)) faults.emplace_back("config_sha256");
+  for (const PlanFileHeader::Input& input : header.inputs) {
+    const auto path = (std::filesystem::path("/inputs") / input.path).lexically_normal();
+    if (std::ranges::find(loaded.files, path) == loaded.files.end())
+      faults.push_back(path.string() + " is not read");
+  }
+  if (header.inputs_sha256 != store::inputs_hash(header)) faults.emplace_back("inputs_sha256");
+  return faults;
 }
 
 }  // namespace
 
 PlanRequest plan_requirements(const PlanFileHeader& header) {
-  config::ConfigNode node = config::ConfigNode::parse(header.config, "/@config");
-  PipelineConfig config;
-  config::read_document(node, config);
-  if (config::write_options(config) != header.config)
-    throw InputError(
-        fmt::format("/@config: differs from what this version writes ({})", header.software));
-  const UnpackedInputs files(header.inputs);
+  const LoadedConfig loaded = reload_config(header);
+  const PipelineConfig& config = loaded.options;
   PlanRequest request;
-  try {
-    robot::RobotDescription robot = robot_of(config, files);
-    request.robot = std::move(robot.table);
-    request.assumptions = config_assumptions(config, robot.assumed, {});
-    add_bodies(config.scene.objects, request);
-    add_bodies(file_objects(config.scene, files), request);
-  } catch (const InputError& error) {
-    throw InputError(files.with_stored_paths(error.what()));
-  }
-  request.config_sha256 = files::sha256(header.config);
+  request.header_faults = header_faults(header, loaded);
+  request.robot = loaded.robot;
+  request.assumptions = loaded.assumptions;
+  for (const scene::ConfiguredObject* object : scene::configured_objects(config.scene))
+    request.bodies.push_back(
+        {scene::configured_body(*object, 0), relative_to(object->relative_to)});
   request.tolerances = tolerances_of(config);
   request.refused_flags = config.audit.refuse;
   request.must_be_known = config.must_be_known;
   request.goal_step_s = 1 / config.reconstruct.rate_hz;
+  request.sample_step_s = 1 / config.retime.sample_rate_hz;
+  request.placement = placement_of(config, request.robot);
+  request.target = target_shape(config.scene.target);
+  request.other_arm = other_arm(config.scene);
   request.limit_scaling = config.retime.limit_scaling;
   if (!config.split && !config.segment.whole_recording)
     request.plan_until = config.segment.plan_until;

@@ -4,11 +4,9 @@
 
 namespace morphe::planning {
 
-/// Returns the requirements that a plans.h5 was made for, from its header alone: the stored config
-/// is parsed, and robot and scene are rebuilt from the stored inputs. A header contains no meshes.
-/// Therefore only the name of a mesh object of the config is known (`relative_to` is unknown), and
-/// no object of a scene file with meshes. Throws InputError if config or robot cannot be read, the
-/// scene file is missing, or the config is not in the form that this version writes.
+/// Returns the requirements that a plans.h5 was made for, from its header alone: config, robot,
+/// scene and meshes are read again from the stored inputs and settings (reload_config()), and what
+/// the header itself says is compared with them. Throws InputError if these cannot be read.
 PlanRequest plan_requirements(const PlanFileHeader& header);
 
 }  // namespace morphe::planning

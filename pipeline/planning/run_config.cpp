@@ -6,7 +6,6 @@
 #include "core/files/sha256.hpp"
 #include "core/store/bytes.hpp"
 #include "core/store/plan_file.hpp"
-#include "pipeline/planning/unpacked_inputs.hpp"
 
 namespace morphe::planning {
 namespace {
@@ -45,33 +44,18 @@ RunConfig stored_config(const fs::path& plans) {
   const store::PlanReader reader(plans);
   const PlanFileHeader& header = reader.header();
   LoadedConfig loaded;
-  config::ConfigNode node = config::ConfigNode::parse(header.config, plans.string() + ":/@config");
-  config::read_document(node, loaded.options);
-  loaded.robot = robot::Robot(reader.robot());
-  loaded.inputs = header.inputs;
-  loaded.assumptions = header.assumptions;
-  loaded.effective = header.config;
-  if (config::write_options(loaded.options) != header.config)
-    throw InputError(fmt::format("{}: /@config: was written by another version ({})",
-                                 plans.string(), header.software));
-  if (node.has("scene")) {
-    const UnpackedInputs files(header.inputs);
-    const std::string named = loaded.options.scene.file;
-    if (!named.empty()) {
-      const fs::path file = files.find(named);
-      if (file.empty())
-        throw InputError(fmt::format("{}: /inputs: does not contain {}", plans.string(), named));
-      loaded.options.scene.file = file.string();
-    }
-    try {
-      scene::load_scene_files(loaded.options.scene, node["scene"]);
-    } catch (const InputError& error) {
-      throw InputError(
-          fmt::format("{}: does not contain the mesh files; run with the config file instead: {}",
-                      plans.string(), files.with_stored_paths(error.what())));
-    }
-    loaded.options.scene.file = named;
+  try {
+    loaded = reload_config(header);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", plans.string(), error.what()));
   }
+  if (loaded.effective != header.config)
+    throw InputError(fmt::format(
+        "{}: /@config: does not follow from /inputs and /@settings; it was changed, or written by "
+        "another version ({})",
+        plans.string(), header.software));
+  loaded.robot = robot::Robot(reader.robot());
+  loaded.assumptions = header.assumptions;
   RunConfig config = run_config(std::move(loaded));
   config.dataset_sha256 = header.dataset_sha256;
   return config;

@@ -20,8 +20,8 @@ struct RunConfig {
 RunConfig run_config(LoadedConfig loaded);
 
 /// Returns the config, robot and scene of a plans.h5 from the file alone, and the hash of the
-/// dataset that it requires. Throws InputError if it is not a plans.h5, was written by another
-/// version, or lacks files of its scene, as it does with meshes.
+/// dataset that it requires. Throws InputError if it is not a plans.h5, lacks inputs, was changed,
+/// or was written by another version.
 RunConfig stored_config(const std::filesystem::path& plans);
 
 }  // namespace morphe::planning

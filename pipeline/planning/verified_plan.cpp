@@ -7,6 +7,7 @@
 
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
+#include "core/store/plan_header.hpp"
 #include "pipeline/planning/begin_plan.hpp"
 #include "pipeline/planning/plan_branch.hpp"
 #include "pipeline/planning/plan_requirements.hpp"
@@ -25,21 +26,25 @@ PlanningFailure failure_of(const std::vector<verify::Violation>& violations) {
 }  // namespace
 
 PlanRequirements requirements_of(const LoadedConfig& config) {
-  const PlanFileHeader header = header_of(config, "");
-  PlanRequirements requirements{header.config, std::nullopt};
+  PlanFileHeader header = header_of(config, "");
+  header.inputs_sha256 = store::inputs_hash(header);
+  const char* const advice =
+      "plans.h5 cannot keep the files of this config so that it finds them again: put them into "
+      "one folder, or give different names to files of the same name";
   try {
-    requirements.request = plan_requirements(header);
-  } catch (const InputError&) {  // `verify` reports it for the file as a whole
+    PlanRequest request = plan_requirements(header);
+    if (request.header_faults.empty()) return {header.config, std::move(request)};
+    throw InputError(request.header_faults.front());
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{} ({})", advice, error.what()));
   }
-  return requirements;
 }
 
 Plan verified(const PlanningInputs& planner, Plan plan) {
   if (!planner.requirements) return plan;
   const PlanRequirements& own = *planner.requirements;
   const std::vector<verify::Violation> violations = planner.timed("verify", [&] {
-    return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config,
-                               own.request ? &*own.request : nullptr);
+    return verify::verify_plan(planner.robot, plan.demonstration, plan, own.config, &own.request);
   });
   if (violations.empty()) return plan;
   Plan rejected = fail(std::move(plan), failure_of(violations));

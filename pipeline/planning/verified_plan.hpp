@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/motion/plan_request.hpp"
@@ -10,12 +9,13 @@ namespace morphe::planning {
 
 /// The requirements that `verify` will read from the header of the plans' file.
 struct PlanRequirements {
-  std::string config;                  ///< as stored in the header
-  std::optional<PlanRequest> request;  ///< absent if the stored files do not refer to each other
+  std::string config;  ///< as stored in the header
+  PlanRequest request;
 };
 
-/// Returns the requirements on plans made with a config, by way of their header. They have no
-/// request if the header does not say them, as for a robot whose files have no common folder.
+/// Returns the requirements on plans made with a config, by way of their header. Throws InputError
+/// if the header does not say them: if files of one name have no common folder, so that the stored
+/// ones do not find each other.
 PlanRequirements requirements_of(const LoadedConfig& config);
 
 /// Verifies a plan as `verify` will, with code that shares nothing with planning. Returns the plan;

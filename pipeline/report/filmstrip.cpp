@@ -206,7 +206,7 @@ void draw_charts(Svg& svg, const Plan& plan, const PlanView& view,
 }  // namespace
 
 std::string filmstrip(const robot::Robot& robot, const Plan& plan, const std::string& plan_path,
-                      const PlanView& view) {
+                      const PlanView& view, bool not_verified) {
   const std::vector<PanelContent> panels = panel_contents(robot, plan, view);
   const Projection projection = default_projection(robot.side);
   const PanelScaling scaling = fit_panel(projection, panels);
@@ -214,6 +214,7 @@ std::string filmstrip(const robot::Robot& robot, const Plan& plan, const std::st
   Svg svg(kWidth_px, charts + kChartHeight_px, fmt::format("{} by {}", plan_path, robot.name));
   std::string head = fmt::format("{}, {}: {}", plan_path, robot.name, name_of(plan.status()));
   if (plan.reason != Reason::none) head += fmt::format(" ({})", name_of(plan.reason));
+  if (not_verified) head += ", not verified";
   svg.text({6, 18}, 14, "start", head);
   svg.text({kWidth_px - 170, 18}, 12, "end", "robot", Colours::kRobot);
   svg.text({kWidth_px - 110, 18}, 12, "end", "person", Colours::kPerson);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/config/fields.hpp"
+#include "core/config/spelling_hint.hpp"
 #include "core/motion/input_error.hpp"
 #include "stages/map/placement.hpp"
 
@@ -34,6 +35,13 @@ bool any_plan_matches(const std::vector<OpenedRun>& runs, const std::string& pat
   });
 }
 
+std::vector<std::string> plan_names(const std::vector<OpenedRun>& runs) {
+  std::vector<std::string> names;
+  for (const OpenedRun& run : runs)
+    names.insert(names.end(), run.reader->plan_paths().begin(), run.reader->plan_paths().end());
+  return names;
+}
+
 }  // namespace
 
 std::vector<OpenedRun> open_runs(const ReportRequest& request) {
@@ -49,7 +57,8 @@ std::vector<OpenedRun> open_runs(const ReportRequest& request) {
   }
   const std::string& pattern = request.selection.pattern;
   if (!pattern.empty() && !any_plan_matches(runs, pattern))
-    throw InputError(fmt::format("--plans: no plan has the name '{}'", pattern));
+    throw InputError(fmt::format("--plans: no plan has the name '{}'{}", pattern,
+                                 config::spelling_hint(pattern, plan_names(runs))));
   return runs;
 }
 

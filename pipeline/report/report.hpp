@@ -14,6 +14,7 @@ struct ReportRequest {
   struct Run {
     std::filesystem::path plans;  ///< plans.h5
     std::string name;             ///< name of the run on the page
+    std::string not_verified;  ///< why its plans are not verified, as "was not …"; "" if they are
   };
   std::vector<Run> runs;         ///< in the order of the page
   Selection selection;           ///< of the plans of each run

@@ -21,7 +21,8 @@ std::vector<std::string> write_filmstrips(const ReportRequest& request,
       const Plan plan = run.reader->read(k);
       files::write_atomically(
           folder / name,
-          filmstrip(run.robot, plan, path, make_plan_view(run.robot, run.world_from_base, plan)));
+          filmstrip(run.robot, plan, path, make_plan_view(run.robot, run.world_from_base, plan),
+                    !run.request.not_verified.empty()));
       names.push_back(name);
     }
   }

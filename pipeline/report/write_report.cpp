@@ -92,6 +92,7 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   json["assumptions"] = Json::array();
   for (const Assumption& each : header.assumptions)
     json["assumptions"].push_back({{"kind", name_of(each.kind)}, {"text", phrase(each)}});
+  json["not_verified"] = run.request.not_verified;
   json["plans"] = run.reader->size();
   json["shown"] = run.selected.plans.size();
   json["left_out"] = run.selected.left_out;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -84,6 +85,8 @@ DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demo
   DemonstrationOutcome outcome;
   try {
     outcome = plan(demonstration);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
     outcome = {};
     outcome.error = error.what();

@@ -48,7 +48,8 @@ struct Batch {
   std::function<void(const DemonstrationOutcome&)> write;
 };
 
-/// Returns plan(demonstration); an exception becomes the error of a failed demonstration.
+/// Returns plan(demonstration); an exception becomes the error of a failed demonstration. A want of
+/// memory is thrown on, because it says nothing about the demonstration.
 DemonstrationOutcome attempt(const std::function<DemonstrationOutcome(const Demonstration&)>& plan,
                              const Demonstration& demonstration);
 

@@ -38,7 +38,7 @@ void Database::checkpoint() { run("PRAGMA journal_mode=DELETE;"); }
 void Database::fail() const {
   const int code = sqlite3_errcode(handle_) & 0xff;
   if (code == SQLITE_BUSY || code == SQLITE_LOCKED)
-    throw InputError(fmt::format("{}: another run is using this folder",
+    throw InputError(fmt::format("{}: another command is writing to it",
                                  file_.has_parent_path() ? file_.parent_path().string() : "."));
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     throw DamagedDatabase(

@@ -14,14 +14,16 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   for (fs::path folder = fs::absolute(path_).lexically_normal(); !fs::exists(folder, error);
        folder = folder.parent_path())
     made_.push_back(folder);
-  fs::create_directories(path_, error);
-  if (error || !fs::is_directory(path_)) {
+  try {
+    lock_.emplace(path_ / ".lock", path_, true);  // creates the folder, too
+  } catch (const InputError&) {
     remove_made();
-    throw InputError(fmt::format("{}: the folder cannot be created", path_.string()));
+    throw;
   }
 }
 
 OutputFolder::~OutputFolder() {
+  lock_.reset();
   if (!kept_) remove_made();
 }
 

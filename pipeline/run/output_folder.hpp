@@ -1,13 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
+
+#include "pipeline/run/file_lock.hpp"
 
 namespace morphe::run {
 
-/// The folder of a run's results. The constructor creates all missing folders on its path; it
-/// throws InputError if this fails. Without keep(), the destructor removes the created folders that
-/// are empty. Others may be in use by another run.
+/// The folder of a command's results, which this process alone writes: DIR/.lock is locked. The
+/// constructor creates all missing folders on its path; it throws InputError if this fails or
+/// another command is writing to the folder. Without keep(), the destructor removes the created
+/// folders that are empty. Others may be in use by another command.
 class OutputFolder {
  public:
   explicit OutputFolder(std::filesystem::path path);
@@ -22,6 +26,7 @@ class OutputFolder {
 
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  ///< created folders, deepest first
+  std::optional<FileLock> lock_;
   bool kept_ = false;
 };
 

@@ -34,10 +34,13 @@ std::string progress_text(const BatchSummary& sum, std::int64_t total, const Run
 
 Progress::Progress(Verbosity detail) : detail_(detail) {
   if (detail_ == Verbosity::quiet || !status_.on_terminal()) return;
-  refresher_ = std::thread([this] {
-    std::unique_lock lock(mutex_);
-    while (!wake_.wait_for(lock, std::chrono::seconds(1), [this] { return ending_; })) show(true);
-  });
+  try {
+    refresher_ = std::thread([this] {
+      std::unique_lock lock(mutex_);
+      while (!wake_.wait_for(lock, std::chrono::seconds(1), [this] { return ending_; })) show(true);
+    });
+  } catch (const std::system_error&) {  // then the line changes only with each demonstration
+  }
 }
 
 Progress::~Progress() {

@@ -14,7 +14,6 @@ namespace fs = std::filesystem;
 RunFolder::RunFolder(const fs::path& path, const std::string& software, const Shard& shard,
                      bool fresh)
     : folder_(path),
-      lock_(path),
       journal_was_there_(fs::exists(path / Journal::kFile)),
       fresh_(fresh),
       journal_(Journal::write(path, software, shard, fresh)) {}

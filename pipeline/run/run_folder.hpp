@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "pipeline/run/folder_lock.hpp"
 #include "pipeline/run/journal.hpp"
 #include "pipeline/run/output_folder.hpp"
 
@@ -31,7 +30,6 @@ class RunFolder {
   bool has_finished_results() const;
 
   OutputFolder folder_;
-  FolderLock lock_;
   bool journal_was_there_, fresh_, kept_ = false;
   std::unique_ptr<Journal> journal_;
 };

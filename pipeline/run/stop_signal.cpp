@@ -1,5 +1,6 @@
 #include "pipeline/run/stop_signal.hpp"
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <unistd.h>
 
@@ -7,9 +8,12 @@
 #include <csignal>
 #include <initializer_list>
 #include <mutex>
+#include <system_error>
+#include <thread>
 #include <utility>
 
 #include "core/files/unfinished_path.hpp"
+#include "core/motion/input_error.hpp"
 
 namespace morphe::run {
 namespace {
@@ -24,6 +28,8 @@ StopListener& listener() {
   static auto* const instance = new StopListener;
   return *instance;
 }
+
+constexpr std::chrono::milliseconds kWaitStep{5};
 
 /// Ends the process by the signal itself, so that a shell sees the cause of its death.
 [[noreturn]] void terminate_by_signal(int signal) {
@@ -45,13 +51,10 @@ void handle_stop_signal(int signal) {
   if (stop && stop->received_ == 0) {
     stop->received_ = signal;
     // A thread of its own, so that the next signal is handled meanwhile.
-    stop->callback_thread_ = std::thread([stop] {
-      stop->on_stop_();
-      stop->returned_ = true;
-    });
+    stop->callback_thread_ = std::thread([stop] { stop->stop(); });
     return;
   }
-  constexpr std::chrono::milliseconds kMaxWait{300}, kWaitStep{5};
+  constexpr std::chrono::milliseconds kMaxWait{300};
   for (auto waited = kWaitStep; stop && !stop->returned_ && waited < kMaxWait; waited += kWaitStep)
     std::this_thread::sleep_for(kWaitStep);
   terminate_by_signal(signal);
@@ -66,9 +69,16 @@ void watch_stop_signals() {
     if (action.sa_handler != SIG_IGN) sigaddset(&watched, signal);
   }
   pthread_sigmask(SIG_BLOCK, &watched, nullptr);
-  std::thread([watched] {
-    for (int signal = 0; sigwait(&watched, &signal) == 0;) handle_stop_signal(signal);
-  }).detach();
+  try {
+    std::thread([watched] {
+      for (int signal = 0; sigwait(&watched, &signal) == 0;) handle_stop_signal(signal);
+    }).detach();
+  } catch (const std::system_error& error) {
+    throw InputError(fmt::format(
+        "morphe: no thread can be started: {}: raise the limits of processes and memory "
+        "(ulimit -u, ulimit -v)",
+        error.code().message()));
+  }
 }
 
 StopSignal::StopSignal(std::function<void()> on_stop) : on_stop_(std::move(on_stop)) {
@@ -76,7 +86,17 @@ StopSignal::StopSignal(std::function<void()> on_stop) : on_stop_(std::move(on_st
   listener().stop = this;
 }
 
+void StopSignal::stop() {
+  on_stop_();
+  returned_ = true;
+  if (received_ != SIGTERM) return;
+  for (auto waited = kWaitStep; waited < kTermGrace && !ended_; waited += kWaitStep)
+    std::this_thread::sleep_for(kWaitStep);
+  if (!ended_) terminate_by_signal(SIGTERM);
+}
+
 StopSignal::~StopSignal() {
+  ended_ = true;
   {
     const std::lock_guard lock(listener().mutex);
     listener().stop = nullptr;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/math/random_stream.hpp"
+#include "core/robot/forward_kinematics.hpp"
 #include "pipeline/setup/kinematics.hpp"
 #include "pipeline/setup/moved_pair.hpp"
 #include "pipeline/setup/yaml_text.hpp"
@@ -63,15 +64,30 @@ void judge_gap(MovedPair& pair, const JointVector& rest, LinkPair& found) {
   if (sweep.holds) found.least_gap_m = sweep.least_gap_m;
 }
 
-LinkPair judge(MovedPair pair, const JointVector& rest) {
+/// The robot at rest, whose poses are computed once for all pairs.
+struct Rest {
+  JointVector position;
+  std::vector<Pose> base_from_frame;
+
+  Pose pose(int frame) const { return frame < 0 ? Pose::Identity() : base_from_frame[frame]; }
+};
+
+/// Judges the bodies of two frames. Most pairs are apart at rest with several joints between them,
+/// of which nothing else is asked.
+LinkPair judge(const RobotModel& robot, const LinkBodies& bodies, int first, int second,
+               const Rest& rest) {
+  const LinkBody &one = bodies.at(first), &other = bodies.at(second);
   LinkPair found;
-  found.first = pair.first;
-  found.second = pair.second;
-  found.joints_between = static_cast<int>(pair.joints.size());
-  found.assumed = pair.one.assumed || pair.other.assumed;
-  found.rest_gap_m = pair.gap_m(rest);
+  found.first = first;
+  found.second = second;
+  found.joints_between = static_cast<int>(joints_between(robot, first, second).size());
+  found.assumed = one.assumed || other.assumed;
+  found.rest_gap_m = one.mesh.distance(other.mesh, rest.pose(first).inverse() * rest.pose(second));
   if (found.rest_gap_m <= kTouch_m) found.rest_gap_m = 0;
-  found.rest_gap_m > 0 ? judge_gap(pair, rest, found) : judge_overlap(pair, rest, found);
+  if (found.rest_gap_m > 0 && found.joints_between != 1) return found;
+  MovedPair pair = moved_pair(robot, bodies, first, second);
+  found.rest_gap_m > 0 ? judge_gap(pair, rest.position, found)
+                       : judge_overlap(pair, rest.position, found);
   return found;
 }
 
@@ -109,12 +125,13 @@ std::string least_distance_text(const LinkPair& pair) {
 }
 
 std::vector<LinkPair> judge_pairs(const RobotModel& robot, const LinkBodies& bodies) {
-  const JointVector rest = rest_position(robot);
+  Rest rest{rest_position(robot), {}};
+  robot::forward_kinematics(robot, rest.position, rest.base_from_frame);
   std::vector<LinkPair> pairs;
   for (auto one = bodies.begin(); one != bodies.end(); ++one) {
     for (auto other = std::next(one); other != bodies.end(); ++other) {
       if (is_allowed(robot, one->first, other->first)) continue;
-      pairs.push_back(judge(moved_pair(robot, bodies, one->first, other->first), rest));
+      pairs.push_back(judge(robot, bodies, one->first, other->first, rest));
     }
   }
   return pairs;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "core/robot/forward_kinematics.hpp"
@@ -17,16 +16,18 @@ constexpr int kMaxSteps = 2000;  ///< of the proof for one joint; chosen by hand
 /// digits of it are shown.
 constexpr double kGapTolerance = 0.02;
 
-std::vector<int> joints_between(const RobotModel& robot, int one, int other) {
-  const int common = robot::common_ancestor(robot, one, other);
-  std::set<int> joints;
-  for (const int end : {one, other}) {
-    for (const int f : robot::ancestors(robot, end)) {
-      if (f == common) break;
-      if (robot::joint_of(robot, f) >= 0) joints.insert(robot::joint_of(robot, f));
-    }
+/// Appends the frames from below `common` to `end` to a branch; returns the index of the last one,
+/// -1 without any.
+int append_path(const RobotModel& robot, int common, int end, RobotModel& branch) {
+  std::vector<int> path;
+  for (int f = end; f != common; f = robot.frames[f].parent) path.push_back(f);
+  int last = -1;
+  for (auto f = path.rbegin(); f != path.rend(); ++f) {
+    branch.frames.push_back(robot.frames[*f]);
+    branch.frames.back().parent = last;
+    last = static_cast<int>(branch.frames.size()) - 1;
   }
-  return {joints.begin(), joints.end()};
+  return last;
 }
 
 /// Returns the length by which a joint's unit moves the bodies relative to each other at most.
@@ -45,10 +46,21 @@ struct JointPart {
 
 }  // namespace
 
+std::vector<int> joints_between(const RobotModel& robot, int one, int other) {
+  const int common = robot::common_ancestor(robot, one, other);
+  std::vector<int> joints;
+  for (const int end : {one, other})
+    for (int f = end; f != common; f = robot.frames[f].parent)
+      if (robot::joint_of(robot, f) >= 0) joints.push_back(robot::joint_of(robot, f));
+  std::ranges::sort(joints);
+  joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
+  return joints;
+}
+
 Pose MovedPair::one_from_other(const JointVector& q) {
-  robot::forward_kinematics(robot, q, poses);
-  const Pose base_from_one = first < 0 ? Pose::Identity() : poses[first];
-  return base_from_one.inverse() * (second < 0 ? Pose::Identity() : poses[second]);
+  robot::forward_kinematics(branch, q, poses);
+  const auto pose = [&](int end) { return end < 0 ? Pose::Identity() : poses[end]; };
+  return pose(one_end).inverse() * pose(other_end);
 }
 
 double MovedPair::gap_m(const JointVector& q) {
@@ -65,12 +77,17 @@ double MovedPair::depth_m(const JointVector& q) {
 }
 
 MovedPair moved_pair(const RobotModel& robot, const LinkBodies& bodies, int first, int second) {
-  return {robot,
-          first,
-          second,
-          bodies.at(first),
-          bodies.at(second),
-          joints_between(robot, first, second)};
+  MovedPair pair{robot,
+                 first,
+                 second,
+                 bodies.at(first),
+                 bodies.at(second),
+                 joints_between(robot, first, second)};
+  const int common = robot::common_ancestor(robot, first, second);
+  pair.branch.joint_names = robot.joint_names;
+  pair.one_end = append_path(robot, common, first, pair.branch);
+  pair.other_end = append_path(robot, common, second, pair.branch);
+  return pair;
 }
 
 bool moved_by_one_joint(const MovedPair& pair) {

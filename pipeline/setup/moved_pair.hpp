@@ -17,6 +17,8 @@ struct MovedPair {
   int first, second;  ///< frames
   const LinkBody &one, &other;
   std::vector<int> joints = {};
+  RobotModel branch = {};            ///< the frames that move them, from their last common one on
+  int one_end = -1, other_end = -1;  ///< their frames in `branch`; -1 = the common one
   std::vector<Pose> poses = {};
 
   Pose one_from_other(const JointVector& q);
@@ -24,6 +26,8 @@ struct MovedPair {
   bool touch(const JointVector& q);
   double depth_m(const JointVector& q);
 };
+/// Returns the joints that move two frames relative to each other.
+std::vector<int> joints_between(const RobotModel& robot, int one, int other);
 /// Returns the pair of two frames of `bodies`, `robot` and `bodies` must outlive it.
 MovedPair moved_pair(const RobotModel& robot, const LinkBodies& bodies, int first, int second);
 

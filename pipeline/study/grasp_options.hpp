@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/study/variant.hpp"
 
 namespace morphe::study {
@@ -27,8 +28,8 @@ void fields(Fields& f, GraspSet& o) {
   f("manifest", o.manifest);
   f("synthetic", o.synthetic);
   f("known_objects", o.known_objects);
-  f("count", o.count);
-  f("quick_count", o.quick_count);
+  f("count", o.count, bounds::kCount);
+  f("quick_count", o.quick_count, bounds::kCount);
   f("seed", o.seed);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
@@ -50,7 +51,7 @@ void fields(Fields& f, GraspStudyOptions& o) {
   f.required("sets", o.sets);
   f.required("contacts", o.contacts);
   f.required("fingertips", o.fingertips);
-  f("quick_hands", o.quick_hands);
+  f("quick_hands", o.quick_hands, bounds::kCount);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const GraspStudyOptions& options);

@@ -182,7 +182,6 @@ std::string validation_error(const GraspSet& set) {
   if (set.pipelines.empty()) return "pipelines is empty";
   if (set.manifest.empty() && set.synthetic.empty()) return "needs `manifest` or `synthetic`";
   if (set.known_objects && set.synthetic.empty()) return "known_objects needs `synthetic`";
-  if (set.count < 1 || set.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }
 
@@ -194,7 +193,6 @@ std::string validation_error(const GraspStudyOptions& options) {
     if (std::ranges::count(options.sets, set.name, &GraspSet::name) > 1)
       return fmt::format("two sets have the name '{}'", set.name);
   }
-  if (options.quick_hands < 1) return "quick_hands must be at least 1";
   return "";
 }
 

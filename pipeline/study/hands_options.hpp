@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/config/fields.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::study {
 
@@ -20,11 +21,9 @@ template <class Fields>
 void fields(Fields& f, StudiedHand& o) {
   f.required("file", o.file);
   f("vector_origin", o.vector_origin);
-  f("scale", o.scale);
+  f("scale", o.scale, bounds::kFactor);
   f("can_pinch", o.can_pinch);
 }
-/// Returns a message about the first invalid value, "" if all values are valid.
-std::string validation_error(const StudiedHand& hand);
 
 /// The options of configs/studies/hands.yaml.
 struct HandsStudyOptions {
@@ -43,9 +42,9 @@ void fields(Fields& f, HandsStudyOptions& o) {
   f.required("pipeline", o.pipeline);
   f.required("manifest", o.manifest);
   f.required("robots", o.robots);
-  f("pinch_distance", o.pinch_distance);
-  f("quick_robots", o.quick_robots);
-  f("quick_frames", o.quick_frames);
+  f("pinch_distance", o.pinch_distance, bounds::kPositiveLength);
+  f("quick_robots", o.quick_robots, bounds::kCount);
+  f("quick_frames", o.quick_frames, bounds::kCount.from(5));
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const HandsStudyOptions& options);

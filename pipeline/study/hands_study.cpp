@@ -161,15 +161,8 @@ void study_hand(const StudiedHand& hand, const Demonstration& demonstration,
 
 }  // namespace
 
-std::string validation_error(const StudiedHand& hand) {
-  return hand.scale && !(*hand.scale > 0) ? "scale must be positive" : "";
-}
-
 std::string validation_error(const HandsStudyOptions& options) {
   if (options.robots.empty()) return "robots must contain at least one hand";
-  if (!(options.pinch_distance > 0)) return "pinch_distance must be positive";
-  if (options.quick_robots < 1) return "quick_robots must be at least 1";
-  if (options.quick_frames < 5) return "quick_frames must be at least 5";
   return "";
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/study/recording_source.hpp"
 #include "pipeline/study/variant.hpp"
 
@@ -44,8 +45,8 @@ void fields(Fields& f, MappingStudyOptions& o) {
   f.required("variants", o.variants);
   f("reference_variant", o.reference_variant);
   f("ik_variant", o.ik_variant);
-  f("excess_threshold", o.excess_threshold);
-  f("tip_position", o.tip_position);
+  f("excess_threshold", o.excess_threshold, bounds::kWeight);
+  f("tip_position", o.tip_position, bounds::kWeight);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const MappingStudyOptions& options);

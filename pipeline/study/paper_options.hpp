@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/fields.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/solve/minimise.hpp"
 
 namespace morphe::study {
@@ -34,18 +35,18 @@ void fields(Fields& f, PaperStudyOptions& o) {
   f.required("tip_motions", o.tip_motions);
   f.required("hand_motions", o.hand_motions);
   f.required("robots", o.robots);
-  f("upper_arm", o.upper_arm);
-  f("forearm", o.forearm);
-  f("hand_length", o.hand_length);
-  f("hand_breadth", o.hand_breadth);
-  f("hand_scale", o.hand_scale);
-  f("tip_position", o.tip_position);
-  f("tip_orientation", o.tip_orientation);
-  f("humanlike", o.humanlike);
+  f("upper_arm", o.upper_arm, bounds::kBone);
+  f("forearm", o.forearm, bounds::kBone);
+  f("hand_length", o.hand_length, bounds::kBone);
+  f("hand_breadth", o.hand_breadth, bounds::kBone);
+  f("hand_scale", o.hand_scale, bounds::kFactor);
+  f("tip_position", o.tip_position, bounds::kWeight);
+  f("tip_orientation", o.tip_orientation, bounds::kWeight);
+  f("humanlike", o.humanlike, bounds::kWeight);
   f("solver", o.solver);
-  f("starts", o.starts);
-  f("step_s", o.step_s);
-  f("quick_step_s", o.quick_step_s);
+  f("starts", o.starts, bounds::kSearchCount);
+  f("step_s", o.step_s, bounds::kTimeStep);
+  f("quick_step_s", o.quick_step_s, bounds::kTimeStep);
   f("cases", o.cases);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.

@@ -23,10 +23,6 @@ constexpr std::array<PaperCase, 7> kCases{{{"table_1", run_table_1},
 }  // namespace
 
 std::string validation_error(const PaperStudyOptions& o) {
-  if (!(o.upper_arm > 0) || !(o.forearm > 0) || !(o.hand_length > 0) || !(o.hand_breadth > 0))
-    return "lengths must be positive";
-  if (!(o.step_s > 0) || !(o.quick_step_s > 0)) return "step_s and quick_step_s must be positive";
-  if (o.starts < 1) return "starts must be positive";
   for (const std::string& name : o.cases) {
     if (std::ranges::none_of(kCases, [&](const PaperCase& c) { return name == c.name; }))
       return fmt::format("cases: unknown case '{}'", name);

@@ -30,7 +30,6 @@ std::vector<Demonstration> synthesize_source(const std::filesystem::path& config
 
 std::string validation_error(const RecordingSource& o) {
   if (o.manifest.empty() == o.synthetic.empty()) return "needs `manifest` or `synthetic`";
-  if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
   return "";
 }
 

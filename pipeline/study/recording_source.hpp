@@ -6,6 +6,7 @@
 
 #include "core/config/fields.hpp"
 #include "core/motion/demonstration.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/study/study.hpp"
 
 namespace morphe::study {
@@ -22,8 +23,8 @@ template <class Fields>
 void fields(Fields& f, RecordingSource& o) {
   f("manifest", o.manifest);
   f("synthetic", o.synthetic);
-  f("count", o.count);
-  f("quick_count", o.quick_count);
+  f("count", o.count, bounds::kCount);
+  f("quick_count", o.quick_count, bounds::kCount);
   f("seed", o.seed);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/fields.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "stages/reconstruct/reconstruct.hpp"
 #include "stages/segment/segment.hpp"
 
@@ -55,19 +56,17 @@ template <class Fields>
 void fields(Fields& f, SyntheticSet& o) {
   f.required("name", o.name);
   f.required("config", o.config);
-  f("count", o.count);
-  f("quick_count", o.quick_count);
+  f("count", o.count, bounds::kCount);
+  f("quick_count", o.quick_count, bounds::kCount);
   f("seed", o.seed);
   f("set", o.set);
-  f("min_recall", o.min_recall);
-  f("max_median_error_s", o.max_median_error_s);
-  f("max_p95_error_s", o.max_p95_error_s);
+  f("min_recall", o.min_recall, bounds::kShare);
+  f("max_median_error_s", o.max_median_error_s, bounds::kDuration);
+  f("max_p95_error_s", o.max_p95_error_s, bounds::kDuration);
   f("score_positions", o.score_positions);
-  f("max_joint_rms_m", o.max_joint_rms_m);
-  f("max_fingertip_rms_m", o.max_fingertip_rms_m);
+  f("max_joint_rms_m", o.max_joint_rms_m, bounds::kLength);
+  f("max_fingertip_rms_m", o.max_fingertip_rms_m, bounds::kLength);
 }
-/// Returns a message about the first invalid value, "" if all values are valid.
-std::string validation_error(const SyntheticSet& set);
 
 /// The options of configs/studies/recordings.yaml.
 struct RecordingsStudyOptions {

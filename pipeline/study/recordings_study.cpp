@@ -2,11 +2,6 @@
 
 namespace morphe::study {
 
-std::string validation_error(const SyntheticSet& o) {
-  if (o.count < 1 || o.quick_count < 1) return "count and quick_count must be positive";
-  return "";
-}
-
 StudyResult recordings_study(const config::ConfigNode& config, const StudyRun& run) {
   ScoreOptions options;
   options.folder = run.config.parent_path();

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/study/variant.hpp"
 
 namespace morphe::study {
@@ -34,15 +35,15 @@ void fields(Fields& f, RepairStudyOptions& o) {
   f.required("pipeline", o.pipeline);
   f.required("synthetic", o.synthetic);
   f("seed", o.seed);
-  f("cases", o.cases);
-  f("quick_cases", o.quick_cases);
-  f("recordings", o.recordings);
-  f("first_recording", o.first_recording);
+  f("cases", o.cases, bounds::kCount);
+  f("quick_cases", o.quick_cases, bounds::kCount);
+  f("recordings", o.recordings, bounds::kCount);
+  f("first_recording", o.first_recording, bounds::kCountOrNone);
   f.required("variants", o.variants);
   f.required("planner_only", o.planner_only);
   f.required("long_search", o.long_search);
   f("long_seeds", o.long_seeds);
-  f("check_step_m", o.check_step_m);
+  f("check_step_m", o.check_step_m, bounds::kLength.from(1e-6));
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const RepairStudyOptions& options);

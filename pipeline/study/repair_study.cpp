@@ -68,10 +68,6 @@ void add_rows(const RepairStudyOptions& options, const std::string& kind,
 
 std::string validation_error(const RepairStudyOptions& o) {
   if (o.variants.empty()) return "variants is empty";
-  if (o.cases < 1 || o.quick_cases < 1) return "cases and quick_cases must be positive";
-  if (o.recordings < 1) return "recordings must be positive";
-  if (o.first_recording < 0) return "first_recording must not be negative";
-  if (!(o.check_step_m > 0)) return "check_step_m must be positive";
   return "";
 }
 

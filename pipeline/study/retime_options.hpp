@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/config/fields.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::study {
 
@@ -23,17 +24,17 @@ template <class Fields>
 void fields(Fields& f, RetimeStudyOptions& o) {
   f.required("study", o.study);
   f("seed", o.seed);
-  f("paths", o.paths);
-  f("quick_paths", o.quick_paths);
-  f("short_paths", o.short_paths);
-  f("quick_short_paths", o.quick_short_paths);
-  f("optimum_paths", o.optimum_paths);
-  f("quick_optimum_paths", o.quick_optimum_paths);
+  f("paths", o.paths, bounds::kCount);
+  f("quick_paths", o.quick_paths, bounds::kCount);
+  f("short_paths", o.short_paths, bounds::kCount);
+  f("quick_short_paths", o.quick_short_paths, bounds::kCount);
+  f("optimum_paths", o.optimum_paths, bounds::kCount);
+  f("quick_optimum_paths", o.quick_optimum_paths, bounds::kCount);
   f("pipeline", o.pipeline);
   f("manifest", o.manifest);
-  f("trials", o.trials);
-  f("quick_trials", o.quick_trials);
-  f("limit_factor", o.limit_factor);
+  f("trials", o.trials, bounds::kCountOrNone);
+  f("quick_trials", o.quick_trials, bounds::kCountOrNone);
+  f("limit_factor", o.limit_factor, bounds::kFactorFrom1);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const RetimeStudyOptions& options);

@@ -199,13 +199,8 @@ void add_trial_rows(const RetimeStudyOptions& options, const StudyRun& study, St
 }  // namespace
 
 std::string validation_error(const RetimeStudyOptions& o) {
-  if (std::min({o.paths, o.quick_paths, o.short_paths, o.quick_short_paths, o.optimum_paths,
-                o.quick_optimum_paths}) < 1) {
-    return "numbers of paths must be positive";
-  }
   if (o.pipeline.empty() != o.manifest.empty())
     return "pipeline and manifest must be given together";
-  if (!(o.limit_factor >= 1)) return "limit_factor must be at least 1";
   return "";
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/study/recording_source.hpp"
 
 namespace morphe::study {
@@ -16,7 +17,7 @@ struct ComparedWeight {
 template <class Fields>
 void fields(Fields& f, ComparedWeight& o) {
   f.required("key", o.key);
-  f.required("values", o.values);
+  f.required("values", o.values, bounds::kWeight);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const ComparedWeight& weight);
@@ -39,7 +40,7 @@ void fields(Fields& f, TradeOffStudyOptions& o) {
   f.required("weights", o.weights);
   f.required("choose", o.choose);
   f("show", o.show);
-  f("quick_robots", o.quick_robots);
+  f("quick_robots", o.quick_robots, bounds::kCount);
 }
 /// Returns a message about the first invalid value, "" if all values are valid.
 std::string validation_error(const TradeOffStudyOptions& options);

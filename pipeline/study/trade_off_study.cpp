@@ -76,7 +76,6 @@ std::string validation_error(const TradeOffStudyOptions& options) {
   if (options.pipelines.empty()) return "pipelines is empty";
   if (options.weights.empty()) return "weights is empty";
   if (options.choose.empty()) return "choose is empty";
-  if (options.quick_robots < 1) return "quick_robots must be at least 1";
   return "";
 }
 

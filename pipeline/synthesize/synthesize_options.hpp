@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
+
 namespace morphe::synthesize {
 
 /// The interval [from, to] of a uniformly distributed quantity.
@@ -16,9 +18,9 @@ struct SyntheticSubject {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticSubject& o) {
-  f("male_share", o.male_share);
-  f("percentiles", o.percentiles);
-  f("shoulder_height", o.shoulder_height);
+  f("male_share", o.male_share, bounds::kShare);
+  f("percentiles", o.percentiles, bounds::kPercentile);
+  f("shoulder_height", o.shoulder_height, KeyBounds{0.15, 0.5, "m"});
 }
 
 /// The relative frequencies of the kinds of movements.
@@ -33,13 +35,13 @@ struct KindWeights {
 };
 template <class Fields>
 void fields(Fields& f, KindWeights& o) {
-  f("minimum_jerk", o.minimum_jerk);
-  f("lognormal", o.lognormal);
-  f("asymmetric", o.asymmetric);
-  f("curved", o.curved);
-  f("two_peaks", o.two_peaks);
-  f("pause_before_grasp", o.pause_before_grasp);
-  f("no_grasp", o.no_grasp);
+  f("minimum_jerk", o.minimum_jerk, bounds::kWeight);
+  f("lognormal", o.lognormal, bounds::kWeight);
+  f("asymmetric", o.asymmetric, bounds::kWeight);
+  f("curved", o.curved, bounds::kWeight);
+  f("two_peaks", o.two_peaks, bounds::kWeight);
+  f("pause_before_grasp", o.pause_before_grasp, bounds::kWeight);
+  f("no_grasp", o.no_grasp, bounds::kWeight);
 }
 
 /// The movements of a subject: reach, grasp, transport, hold, put back, release, return, rest.
@@ -63,21 +65,21 @@ struct SyntheticMovements {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticMovements& o) {
-  f("movements_per_recording", o.movements_per_recording);
-  f("rest_s", o.rest_s);
-  f("reach_s", o.reach_s);
-  f("grasp_s", o.grasp_s);
-  f("transport_s", o.transport_s);
-  f("hold_s", o.hold_s);
-  f("return_s", o.return_s);
-  f("pause_s", o.pause_s);
-  f("distance", o.distance);
-  f("direction", o.direction);
-  f("height", o.height);
-  f("elbow_swivel", o.elbow_swivel);
-  f("reach_share", o.reach_share);
-  f("truncated_start_share", o.truncated_start_share);
-  f("truncated_end_share", o.truncated_end_share);
+  f("movements_per_recording", o.movements_per_recording, KeyBounds{1, 1000});
+  f("rest_s", o.rest_s, KeyBounds{0.3, 60, "s"});
+  f("reach_s", o.reach_s, KeyBounds{0.2, 10, "s"});
+  f("grasp_s", o.grasp_s, KeyBounds{0.1, 10, "s"});
+  f("transport_s", o.transport_s, KeyBounds{0.2, 10, "s"});
+  f("hold_s", o.hold_s, KeyBounds{0.1, 60, "s"});
+  f("return_s", o.return_s, KeyBounds{0.2, 10, "s"});
+  f("pause_s", o.pause_s, KeyBounds{0.05, 5, "s"});
+  f("distance", o.distance, KeyBounds{0.08, 0.7, "m"});
+  f("direction", o.direction, KeyBounds{-1.571, 1.571, "rad"});
+  f("height", o.height, KeyBounds{0.05, 0.6, "m"});
+  f("elbow_swivel", o.elbow_swivel, KeyBounds{-0.2, 1, "rad"});
+  f("reach_share", o.reach_share, KeyBounds{0.7, 0.98});
+  f("truncated_start_share", o.truncated_start_share, bounds::kShare);
+  f("truncated_end_share", o.truncated_end_share, bounds::kShare);
   f("kinds", o.kinds);
 }
 
@@ -90,10 +92,10 @@ struct SyntheticHand {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticHand& o) {
-  f("peak_aperture_time", o.peak_aperture_time);
-  f("peak_aperture_excess", o.peak_aperture_excess);
-  f("min_aperture_increase", o.min_aperture_increase);
-  f("pad_depth", o.pad_depth);
+  f("peak_aperture_time", o.peak_aperture_time, KeyBounds{0.3, 0.9});
+  f("peak_aperture_excess", o.peak_aperture_excess, KeyBounds{0.005, 0.08, "m"});
+  f("min_aperture_increase", o.min_aperture_increase, KeyBounds{0.005, 0.06, "m"});
+  f("pad_depth", o.pad_depth, KeyBounds{0, 0.015, "m"});
 }
 
 /// The object that is grasped: an upright cylinder between thumb and index finger.
@@ -104,9 +106,9 @@ struct SyntheticObject {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticObject& o) {
-  f("radius", o.radius);
-  f("height", o.height);
-  f("tracked_object_share", o.tracked_object_share);
+  f("radius", o.radius, KeyBounds{0.01, 0.045, "m"});
+  f("height", o.height, KeyBounds{0.02, 0.4, "m"});
+  f("tracked_object_share", o.tracked_object_share, bounds::kShare);
 }
 
 /// The involuntary motion of the body.
@@ -117,9 +119,9 @@ struct SyntheticBody {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticBody& o) {
-  f("tremor_amplitude", o.tremor_amplitude);
-  f("tremor_hz", o.tremor_hz);
-  f("drift", o.drift);
+  f("tremor_amplitude", o.tremor_amplitude, KeyBounds{0, 0.01, "m"});
+  f("tremor_hz", o.tremor_hz, KeyBounds{3, 30, "Hz"});
+  f("drift", o.drift, KeyBounds{0, 0.002, "m"});
 }
 
 /// The sensors of a Polhemus Liberty: shoulder, elbow (on the upper arm), wrist (on the hand).
@@ -139,17 +141,17 @@ struct SyntheticSensors {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticSensors& o) {
-  f("rate_hz", o.rate_hz);
-  f("sensor_offset", o.sensor_offset);
-  f("position_noise", o.position_noise);
-  f("orientation_noise", o.orientation_noise);
-  f("correlated_noise_share", o.correlated_noise_share);
-  f("correlation_time_s", o.correlation_time_s);
-  f("dropout_share", o.dropout_share);
-  f("dropout_s", o.dropout_s);
-  f("calibration_s", o.calibration_s);
-  f("digitising_noise", o.digitising_noise);
-  f("digitisation_count", o.digitisation_count);
+  f("rate_hz", o.rate_hz, KeyBounds{20, 2000, "Hz"});
+  f("sensor_offset", o.sensor_offset, KeyBounds{0, 0.2, "m"});
+  f("position_noise", o.position_noise, KeyBounds{0, 0.1, "m"});
+  f("orientation_noise", o.orientation_noise, KeyBounds{0, 0.5, "rad"});
+  f("correlated_noise_share", o.correlated_noise_share, bounds::kShare);
+  f("correlation_time_s", o.correlation_time_s, KeyBounds{0.01, 1000, "s"});
+  f("dropout_share", o.dropout_share, KeyBounds{0, 0.9});
+  f("dropout_s", o.dropout_s, KeyBounds{0.001, 10, "s"});
+  f("calibration_s", o.calibration_s, KeyBounds{0.1, 60, "s"});
+  f("digitising_noise", o.digitising_noise, KeyBounds{0, 0.01, "m"});
+  f("digitisation_count", o.digitisation_count, KeyBounds{1, 1000});
 }
 
 /// The sensors of a CyberGlove II.
@@ -166,15 +168,15 @@ struct SyntheticGlove {
 };
 template <class Fields>
 void fields(Fields& f, SyntheticGlove& o) {
-  f("rate_hz", o.rate_hz);
-  f("noise", o.noise);
-  f("correlated_noise_share", o.correlated_noise_share);
-  f("correlation_time_s", o.correlation_time_s);
-  f("bias", o.bias);
-  f("quantisation", o.quantisation);
-  f("dropout_share", o.dropout_share);
-  f("dropout_s", o.dropout_s);
-  f("clock_offset_s", o.clock_offset_s);
+  f("rate_hz", o.rate_hz, KeyBounds{5, 2000, "Hz"});
+  f("noise", o.noise, KeyBounds{0, 0.5, "rad"});
+  f("correlated_noise_share", o.correlated_noise_share, bounds::kShare);
+  f("correlation_time_s", o.correlation_time_s, KeyBounds{0.01, 1000, "s"});
+  f("bias", o.bias, KeyBounds{0, 1, "rad"});
+  f("quantisation", o.quantisation, KeyBounds{0, 0.5, "rad"});
+  f("dropout_share", o.dropout_share, KeyBounds{0, 0.9});
+  f("dropout_s", o.dropout_s, KeyBounds{0.001, 10, "s"});
+  f("clock_offset_s", o.clock_offset_s, KeyBounds{-1, 1, "s"});
 }
 
 /// The options of a config of `morphe synthesize`.

@@ -109,22 +109,6 @@ bool counts_as_grasp(const Movement& movement, const std::vector<double>& time, 
          (k + 1 < std::ssize(time) && is_grasping_at(movement, time[k + 1]));
 }
 
-std::string validation_error(const CheckOptions& options) {
-  const Tolerances& t = options.tolerances;
-  if (!(t.required_clearance >= 0)) return "required_clearance must not be negative";
-  if (!(t.max_penetration >= 0)) return "max_penetration must not be negative";
-  if (!(t.tracking_tolerance_grasp > 0 && t.tracking_tolerance > 0))
-    return "tracking tolerances must be positive";
-  if (!(t.max_unreachable_share >= 0 && t.max_unreachable_share < 1))
-    return "max_unreachable_share must be at least 0 and below 1";
-  if (!(t.max_tip_error > 0)) return "max_tip_error must be positive";
-  if (!(t.max_missing_goal_share >= 0 && t.max_missing_goal_share <= 1))
-    return "max_missing_goal_share must be at least 0 and at most 1";
-  if (!(t.max_goal_gap_s >= 0)) return "max_goal_gap_s must not be negative";
-  if (!(options.jump_threshold > 0)) return "jump_threshold must be positive";
-  return "";
-}
-
 std::vector<Finding> check_path(const collision::CollisionWorld& world, const Goals& goals,
                                 const Movement& movement, const JointPath& path,
                                 const CheckOptions& options) {

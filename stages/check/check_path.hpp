@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/collision/continuous_check.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/plan.hpp"
 
 namespace morphe::check {
@@ -24,19 +25,17 @@ struct CheckOptions {
 };
 template <class Fields>
 void fields(Fields& f, CheckOptions& o) {
-  f("required_clearance", o.tolerances.required_clearance);
-  f("max_penetration", o.tolerances.max_penetration);
-  f("tracking_tolerance_grasp", o.tolerances.tracking_tolerance_grasp);
-  f("tracking_tolerance", o.tolerances.tracking_tolerance);
-  f("max_unreachable_share", o.tolerances.max_unreachable_share);
-  f("max_tip_error", o.tolerances.max_tip_error);
-  f("max_missing_goal_share", o.tolerances.max_missing_goal_share);
-  f("max_goal_gap_s", o.tolerances.max_goal_gap_s);
+  f("required_clearance", o.tolerances.required_clearance, bounds::kLength);
+  f("max_penetration", o.tolerances.max_penetration, bounds::kLength);
+  f("tracking_tolerance_grasp", o.tolerances.tracking_tolerance_grasp, bounds::kPositiveLength);
+  f("tracking_tolerance", o.tolerances.tracking_tolerance, bounds::kPositiveLength);
+  f("max_unreachable_share", o.tolerances.max_unreachable_share, bounds::kShareBelow1);
+  f("max_tip_error", o.tolerances.max_tip_error, bounds::kPositiveLength);
+  f("max_missing_goal_share", o.tolerances.max_missing_goal_share, bounds::kShare);
+  f("max_goal_gap_s", o.tolerances.max_goal_gap_s, bounds::kDuration);
   f("engine", o.engine);
-  f("jump_threshold", o.jump_threshold);
+  f("jump_threshold", o.jump_threshold, bounds::kPositiveAngle);
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const CheckOptions& options);
 
 /// Returns true if sample k of a path, or one next to it, is in grasp or hold. Its tips then have
 /// the tighter tolerance, because part of the motion between these samples is in grasp or hold.

@@ -32,10 +32,13 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
                {"duration_s", motion.duration_s},
                {"points", motion.points},
                {"files", files}};
-  if (index.motion.rate_hz > 0) {
-    json["limit_ratio"] = {{"velocity", motion.limits.velocity.ratio},
-                           {"acceleration", motion.limits.acceleration.ratio},
-                           {"jerk", motion.limits.jerk.ratio}};
+  if (index.has_limits) {
+    const auto& [quintic, cubic] = motion.limits;
+    json["limit_ratio"] = {{"velocity", quintic.velocity.ratio},
+                           {"acceleration", quintic.acceleration.ratio},
+                           {"jerk", quintic.jerk.ratio}};
+    json["cubic_limit_ratio"] = {{"velocity", cubic.velocity.ratio},
+                                 {"acceleration", cubic.acceleration.ratio}};
   }
   return json;
 }
@@ -53,14 +56,17 @@ Json assumptions_json(const std::vector<Assumption>& assumptions) {
 std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
                        const RobotModel& robot) {
   Json json = {{"format", index.format},
+               {"verified", index.not_verified.empty()},
                {"software", header.software},
                {"config_sha256", header.config_sha256},
                {"dataset_sha256", header.dataset_sha256},
                {"robot", robot.name},
                {"rate_hz", index.rate_hz},
                {"resampled", index.motion.rate_hz > 0},
+               {"points_per_sample", index.motion.parts},
                {"delay_s", index.motion.delay_s},
                {"approach", name_of(index.motion.approach)}};
+  if (!index.not_verified.empty()) json["not_verified"] = index.not_verified;
   json["assumptions"] = assumptions_json(header.assumptions);
   json["groups"] = Json::object();
   for (const JointGroup& group : index.groups)

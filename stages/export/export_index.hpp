@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/math/limit_report.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
 #include "stages/export/joint_group.hpp"
+#include "stages/export/limit_use.hpp"
 #include "stages/export/plan_motions.hpp"
 
 namespace morphe::exports {
@@ -17,7 +17,7 @@ struct IndexedMotion {
   double duration_s = 0;
   std::size_t points = 0;          ///< number of points
   std::vector<std::string> files;  ///< one per group
-  math::LimitReport limits;        ///< use of the limits between the points; only if resampled
+  MotionLimitUse limits;           ///< between the points; only of text formats
 };
 
 /// The exported files of one plan.
@@ -38,9 +38,11 @@ struct SkippedPlan {
 
 /// The files of one export, with which a script can execute them in order.
 struct ExportIndex {
-  std::string format;  ///< one of export_format_names()
+  std::string format;        ///< one of export_format_names()
+  std::string not_verified;  ///< as in ExportOptions
   MotionOptions motion;
-  double rate_hz = 0;  ///< rate of the points, resampled or not
+  double rate_hz = 0;       ///< rate of the points, resampled or not
+  bool has_limits = false;  ///< true if the motions have their limits
   std::vector<JointGroup> groups;
   std::vector<IndexedPlan> plans;
   std::vector<SkippedPlan> skipped;

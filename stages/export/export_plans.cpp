@@ -9,6 +9,8 @@
 #include "core/motion/input_error.hpp"
 #include "core/store/plan_file.hpp"
 #include "stages/export/grasp_files.hpp"
+#include "stages/export/limit_use.hpp"
+#include "stages/export/resample.hpp"
 #include "stages/export/robomimic.hpp"
 #include "stages/export/ros_trajectory.hpp"
 #include "stages/export/staged_files.hpp"
@@ -32,9 +34,10 @@ constexpr const char* kRobomimic = "robomimic";
 
 struct Export {
   const store::PlanReader& reader;
-  const ExportOptions& options;
+  ExportOptions options;
   StagedFiles files;
   ExportIndex index;
+  WorstLimitUse limits;
   bool has_approach_or_retreat = false;  ///< true if a plan has an approach or a retreat
 };
 
@@ -64,7 +67,8 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
     return {};
   }
   if (run.index.plans.empty())
-    run.index.rate_hz = options.rate_hz > 0 ? options.rate_hz : sample_rate_hz(plan.trajectory);
+    run.index.rate_hz =
+        options.rate_hz > 0 ? options.rate_hz : options.parts * sample_rate_hz(plan.trajectory);
   run.has_approach_or_retreat =
       run.has_approach_or_retreat || plan.approach.samples() > 0 || plan.retreat.samples() > 0;
   IndexedPlan& indexed = run.index.plans.emplace_back();
@@ -79,7 +83,9 @@ std::vector<PlanMotion> add_to_index(Export& run, std::size_t i, const Plan& pla
     entry.name = name;
     entry.duration_s = t.time.back() - t.time[0];
     entry.points = t.samples();
-    if (options.rate_hz > 0) entry.limits = math::limit_report(run.reader.robot(), t);
+    if (!run.index.has_limits) continue;
+    entry.limits = limit_use(run.reader.robot(), t);
+    run.limits.add(entry.limits, indexed.plan);
   }
   return std::move(motions);
 }
@@ -112,7 +118,30 @@ void export_grasp(Export& run, const Plan& plan, bool tables) {
   }
 }
 
+/// Returns the least number of points per sample at which cubic Hermite pieces between them are
+/// within the limits, too, for all motions; 1 if they are not up to kMaxDividedRate_hz.
+int points_per_sample(const Export& run) {
+  constexpr double kMaxDividedRate_hz = 4000;
+  int parts = 1;
+  for (std::size_t i = 0; i < run.reader.size(); ++i) {
+    const Plan plan = run.reader.read(i);
+    const PlanMotions whole = motions_of(run.reader.robot(), plan, run.options.motion);
+    for (const PlanMotion& motion : whole.motions) {
+      const double rate_hz = sample_rate_hz(plan.trajectory);
+      const auto holds = [&] {
+        return cubic_holds(limit_use(run.reader.robot(), subdivide(motion.trajectory, parts)));
+      };
+      while (!holds())
+        if (++parts * rate_hz > kMaxDividedRate_hz) return 1;
+    }
+  }
+  return parts;
+}
+
 void export_texts(Export& run, const TextFormat& format) {
+  run.index.has_limits = true;
+  if (run.options.motion.rate_hz == 0)
+    run.index.motion.parts = run.options.motion.parts = points_per_sample(run);
   for (std::size_t i = 0; i < run.reader.size(); ++i) {
     const Plan plan = run.reader.read(i);
     const std::vector<PlanMotion> motions = add_to_index(run, i, plan);
@@ -144,7 +173,8 @@ void export_robomimic(Export& run) {
   }
   if (chosen.empty()) return;
   const RobotModel& robot = run.reader.robot();
-  RobomimicWriter writer(run.files.add(name), robomimic_header(robot, run.index.rate_hz));
+  RobomimicWriter writer(run.files.add(name),
+                         robomimic_header(robot, run.index.rate_hz, run.options.not_verified));
   for (const std::size_t i : chosen) {
     Plan plan = run.reader.read(i);
     plan.trajectory =
@@ -174,33 +204,6 @@ void check_joined(const Export& run) {
       "(docs/steps/approach.md), or omit --approach");
 }
 
-/// Returns a note on the limit that the quintics between resampled points exceed most, or "".
-std::string limit_overshoot_note(const Export& run) {
-  constexpr double kRelativeRounding = 1e-6;
-  const IndexedPlan* worst_plan = nullptr;
-  const char* limit = "";
-  math::LimitUse worst_use{1 + kRelativeRounding, -1, -1};
-  for (const IndexedPlan& plan : run.index.plans) {
-    for (const IndexedMotion& motion : plan.motions) {
-      for (const auto& [name, use] : {std::pair{"velocity", &motion.limits.velocity},
-                                      std::pair{"acceleration", &motion.limits.acceleration},
-                                      std::pair{"jerk", &motion.limits.jerk}}) {
-        if (use->ratio <= worst_use.ratio) continue;
-        worst_use = *use;
-        limit = name;
-        worst_plan = &plan;
-      }
-    }
-  }
-  if (!worst_plan) return "";
-  return fmt::format(
-      "at {:g} Hz a controller that interpolates the points with quintics reaches up to {:.3g} "
-      "times the {} limit ({}, joint {}). The points are on the certified curve; without --rate "
-      "they are its samples, and such a controller follows the certified curve exactly",
-      run.options.motion.rate_hz, worst_use.ratio, limit, worst_plan->plan,
-      run.reader.robot().joint_names[worst_use.joint]);
-}
-
 }  // namespace
 
 std::vector<std::string> export_format_names() {
@@ -219,7 +222,10 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
     options.motion.approach = ApproachMode::none;
   }
   const store::PlanReader reader(plans);
-  Export run{reader, options, StagedFiles(folder), {options.format, options.motion, 0, {}, {}, {}}};
+  Export run{reader, options, StagedFiles(folder), {}, {}};
+  run.index.format = options.format;
+  run.index.not_verified = options.not_verified;
+  run.index.motion = options.motion;
   for (const std::string& selection : options.groups) {
     const JointGroup group = joint_group(reader.robot(), selection);
     if (std::ranges::count(run.index.groups, group.name, &JointGroup::name) > 0)
@@ -234,7 +240,8 @@ ExportReport export_plans(const std::filesystem::path& plans, const std::filesys
   run.files.add(fmt::format("index_{}.json", options.format),
                 index_json(run.index, reader.header(), reader.robot()));
   run.files.commit(options.replace);
-  return {run.files.names(), run.index.skipped, limit_overshoot_note(run)};
+  return {run.files.names(), run.index.skipped, run.limits.sentence(run.index.rate_hz),
+          run.limits.excess_sentence(reader.robot(), run.index.rate_hz)};
 }
 
 }  // namespace morphe::exports

@@ -17,6 +17,8 @@ struct ExportOptions {
   std::string format;                         ///< one of export_format_names()
   std::vector<std::string> groups = {"all"};  ///< as for joint_group(), one file each
   MotionOptions motion;
+  std::string
+      not_verified;      ///< "" for plans that `verify` accepts, else what the files say of them
   bool replace = false;  ///< true if existing files with other content may be replaced
 };
 
@@ -24,7 +26,8 @@ struct ExportOptions {
 struct ExportReport {
   std::vector<std::string> files;    ///< names inside the folder; the index is the last
   std::vector<SkippedPlan> skipped;  ///< the plans that were not exported
-  std::string remark;                ///< on limits that resampled motions exceed, or ""
+  std::string limit_use;             ///< sentence on the use of limits between the points, or ""
+  std::string remark;                ///< on limits that are exceeded between the points, or ""
 };
 
 /// Exports the plans of a plans.h5 that have a trajectory to files in `folder`:

@@ -73,7 +73,8 @@ PlanMotions motions_of(const RobotModel& robot, const Plan& plan, const MotionOp
         return {{}, fmt::format("{}: does not begin at rest: {}", motion.name, error)};
       motion.trajectory = add_initial_wait(motion.trajectory, options.delay_s);
     }
-    if (options.rate_hz > 0) motion.trajectory = resample(motion.trajectory, options.rate_hz);
+    motion.trajectory = options.rate_hz > 0 ? resample(motion.trajectory, options.rate_hz)
+                                            : subdivide(motion.trajectory, options.parts);
   }
   return selected;
 }

@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 3> names_of(ApproachMode) {
 struct MotionOptions {
   ApproachMode approach = ApproachMode::apart;
   double delay_s = 0;  ///< time for which each motion waits in its first posture [s]
-  double rate_hz = 0;  ///< rate of the points [Hz]; 0 keeps the plan's own samples
+  double rate_hz = 0;  ///< rate of the points [Hz]; 0 keeps the plan's own samples …
+  int parts = 1;       ///< … and divides each interval between them into so many
 };
 
 /// A motion that the robot executes without interruption.

@@ -74,6 +74,36 @@ Trajectory shift_endpoint(Trajectory t, bool begin, const Trajectory& to) {
   return t;
 }
 
+/// A point of the quintic that follows a sample.
+struct CurvePoint {
+  double time_s = 0;        ///< that it gets
+  Eigen::Index sample = 0;  ///< before it
+  double elapsed_s = 0;     ///< since that sample, which it is if this is 0
+};
+
+Trajectory points_of(const Trajectory& from, const std::vector<CurvePoint>& points) {
+  Trajectory to = make_trajectory(points.size(), from.position.cols());
+  for (int k = 0; k < std::ssize(points); ++k) {
+    const auto& [time_s, sample, elapsed_s] = points[k];
+    to.time.push_back(time_s);
+    add_labels(from, sample, to);
+    for (Eigen::Index joint = 0; joint < to.position.cols(); ++joint) {
+      for (int order = 0; order < std::ssize(kDerivativeRows); ++order) {
+        const auto rows = kDerivativeRows[order];
+        (to.*rows)(k, joint) =
+            elapsed_s == 0
+                ? (from.*rows)(sample, joint)
+                : math::value_at(math::quintic_piece(from, sample, joint), elapsed_s, order);
+      }
+    }
+    if (elapsed_s == 0) continue;
+    const double share = elapsed_s / (from.time[sample + 1] - from.time[sample]);
+    to.demonstration_time.back() =
+        std::lerp(from.demonstration_time[sample], from.demonstration_time[sample + 1], share);
+  }
+  return to;
+}
+
 }  // namespace
 
 Trajectory adjust_end(const Trajectory& motion, const Trajectory& next) {
@@ -85,30 +115,28 @@ Trajectory adjust_begin(const Trajectory& motion, const Trajectory& before) {
 }
 
 Trajectory resample(const Trajectory& from, double rate_hz) {
-  const std::vector<double> time = sample_times(from.time.back() - from.time[0], rate_hz);
-  const Eigen::Index end = last_of(from), joints = from.position.cols();
-  Trajectory to = make_trajectory(time.size(), joints);
-  to.time = time;
-  Eigen::Index piece = 0;
-  for (int k = 0; k < std::ssize(time); ++k) {
-    const double t = from.time[0] + time[k];
-    while (piece + 1 < end && from.time[piece + 1] <= t) ++piece;
-    const bool at_end = k + 1 == std::ssize(time);
-    const double elapsed_s = t - from.time[piece];
-    for (Eigen::Index joint = 0; joint < joints; ++joint) {
-      const math::QuinticPiece quintic = math::quintic_piece(from, piece, joint);
-      for (int order = 0; order < std::ssize(kDerivativeRows); ++order) {
-        (to.*kDerivativeRows[order])(k, joint) = at_end ? (from.*kDerivativeRows[order])(end, joint)
-                                                        : math::value_at(quintic, elapsed_s, order);
-      }
-    }
-    add_labels(from, at_end ? end : piece, to);
-    if (at_end) continue;
-    const double share = elapsed_s / (from.time[piece + 1] - from.time[piece]);
-    to.demonstration_time.back() =
-        std::lerp(from.demonstration_time[piece], from.demonstration_time[piece + 1], share);
+  const Eigen::Index end = last_of(from);
+  std::vector<CurvePoint> points;
+  Eigen::Index sample = 0;
+  for (const double time_s : sample_times(from.time.back() - from.time[0], rate_hz)) {
+    const double t = from.time[0] + time_s;
+    while (sample + 1 < end && from.time[sample + 1] <= t) ++sample;
+    points.push_back({time_s, sample, t - from.time[sample]});
   }
-  return to;
+  points.back() = {points.back().time_s, end, 0};
+  return points_of(from, points);
+}
+
+Trajectory subdivide(const Trajectory& from, int parts) {
+  if (parts < 2) return from;
+  std::vector<CurvePoint> points;
+  for (int i = 0; i + 1 < std::ssize(from.time); ++i) {
+    const double step_s = from.time[i + 1] - from.time[i];
+    for (int part = 0; part < parts; ++part)
+      points.push_back({from.time[i] + step_s * part / parts, i, step_s * part / parts});
+  }
+  points.push_back({from.time.back(), last_of(from), 0});
+  return points_of(from, points);
 }
 
 Trajectory add_initial_wait(const Trajectory& from, double delay_s) {

@@ -13,6 +13,11 @@ namespace morphe::exports {
 /// clearance are those of the previous sample. There are at least two samples, and rate_hz > 0.
 Trajectory resample(const Trajectory& trajectory, double rate_hz);
 
+/// Returns the trajectory with `parts` - 1 points between each two samples, at equal distances on
+/// the same quintics as in resample(). Its samples are kept, so that the quintics between the
+/// points are those between the samples.
+Trajectory subdivide(const Trajectory& trajectory, int parts);
+
 /// Returns the trajectory, which must begin at rest, after a wait of `delay_s` in its first
 /// posture; unchanged if that is not positive.
 Trajectory add_initial_wait(const Trajectory& trajectory, double delay_s);

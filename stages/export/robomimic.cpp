@@ -19,7 +19,8 @@ Eigen::RowVector4d wxyz(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
 }  // namespace
 
-RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz) {
+RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz,
+                                 const std::string& not_verified) {
   for (int j = 0; j < std::ssize(robot.joint_names); ++j) {
     if (std::isfinite(robot.upper[j] - robot.lower[j])) continue;
     throw InputError(
@@ -32,7 +33,7 @@ RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz) {
       {"type", kGymType},
       {"env_kwargs",
        {{"control_freq", rate_hz}, {"joint_names", robot.joint_names}, {"tip_names", tips}}}};
-  return {env_args.dump(), robot.joint_names, robot.lower, robot.upper};
+  return {env_args.dump(), robot.joint_names, robot.lower, robot.upper, not_verified};
 }
 
 RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool target) {

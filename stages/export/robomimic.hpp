@@ -9,7 +9,8 @@ namespace morphe::exports {
 /// Returns the header of a file whose actions are joint positions, scaled by the joint limits, at
 /// `rate_hz`. env_args names the robot, the rate and the order of joints and tips; robomimic cannot
 /// create an environment from it. Throws InputError for a joint without finite limits.
-RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz);
+RobomimicHeader robomimic_header(const RobotModel& robot, double rate_hz,
+                                 const std::string& not_verified);
 
 /// Converts a plan with a trajectory of T > 1 samples to T - 1 transitions: the action at a sample
 /// is the posture at the next one. The observations are, with poses in the base frame [m, rad],

@@ -54,6 +54,7 @@ RobomimicWriter::RobomimicWriter(const files::AtomicFile& part, const RobomimicH
   s.data = s.file.root().create("data");
   s.data.set("env_args", header.env_args);
   s.data.set("action_names", header.action_names);
+  if (!header.not_verified.empty()) s.data.set("not_verified", header.not_verified);
   s.data.set("action_offset", numbers(s.offset));
   s.data.set("action_scale", numbers(s.scale));
 }

@@ -29,6 +29,7 @@ struct RobomimicHeader {
   std::string env_args;                   ///< JSON: env_name, type, env_kwargs
   std::vector<std::string> action_names;  ///< [n] names of the joints
   JointVector lower, upper;               ///< [n] finite, lower <= upper
+  std::string not_verified;               ///< as in ExportOptions
 };
 
 /// Writes a dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs,

@@ -1,5 +1,8 @@
 #include "stages/grasp/closure_goals.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::grasp {
@@ -19,10 +22,14 @@ std::vector<std::size_t> tips_without_goals(const robot::Robot& robot, const Goa
   return tips;
 }
 
-void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosure>& closings,
+void set_closure_goals(const robot::Robot& robot, const std::vector<DesiredContact>& contacts,
                        const Movement& movement, const SceneObject& target, const JointRows& path,
                        Goals& goals) {
-  if (closings.empty()) return;
+  std::vector<DesiredContact> closed;
+  std::ranges::copy_if(contacts, std::back_inserter(closed), [](const DesiredContact& contact) {
+    return contact.origin == ContactOrigin::auto_closed;
+  });
+  if (closed.empty()) return;
   const HoldInterval hold = hold_interval(movement);
   if (goals.tip_to_pad_share.rows == 0)
     goals.tip_to_pad_share = {goals.frames(), robot.tips.size(), 0.0};
@@ -30,20 +37,18 @@ void set_closure_goals(const robot::Robot& robot, const std::vector<FingerClosur
   for (int f = 0; f < std::ssize(goals.time); ++f) {
     const double share = closing_progress(hold, goals.time[f]);
     if (share == 0 || goals.time[f] > hold.opening_s) continue;
-    JointVector q = path.row(f).transpose();
-    for (const FingerClosure& closing : closings) q += share * closing.turn;
+    const JointVector q = path.row(f).transpose();
     robot::forward_kinematics(robot, q.cwiseMax(robot.lower).cwiseMin(robot.upper),
                               base_from_frame);
-    for (const FingerClosure& closing : closings) {
-      const std::size_t tip = closing.contact.tip;
-      goals.tip_position(f, tip) =
-          share < 1 ? robot::tracked_point(robot, base_from_frame, tip, 1)
-                    : recorded_pose(target, goals.time[f]) * closing.contact.centre;
-      goals.tip_to_pad_share(f, tip) = 1;
+    for (const DesiredContact& contact : closed) {
+      goals.tip_position(f, contact.tip) =
+          share < 1 ? robot::tracked_point(robot, base_from_frame, contact.tip, 1)
+                    : recorded_pose(target, goals.time[f]) * contact.centre;
+      goals.tip_to_pad_share(f, contact.tip) = 1;
     }
   }
   goals.auto_closed.assign(robot.tips.size(), 0);
-  for (const FingerClosure& closing : closings) goals.auto_closed[closing.contact.tip] = 1;
+  for (const DesiredContact& contact : closed) goals.auto_closed[contact.tip] = 1;
 }
 
 }  // namespace morphe::grasp

@@ -36,10 +36,10 @@ inline constexpr double kMaxSlide_m = 0.015;
 /// towards the person's point nor the pad's direction opens a gap: 0.1 to 0.2 mm remained at 4e6.
 inline constexpr double kGapWeight = 1.6e7;
 /// Weight of the squared chord between the middle of the pad and the normal. A tilt of 12 degrees
-/// then costs as much as a slide of 15 mm with the default of map.tip_position. With 25, pads of
-/// the DLR/HIT II slid by 2 mm on the shipped drinks and remained 17 degrees off, with 200 they
-/// slide by 9 mm and remain 10 degrees off.
-inline constexpr double kPadDirectionWeight = 200;
+/// then costs as much as a slide of 21 mm. On the shipped drinks, pads of the DLR/HIT II slid by
+/// 2 mm with 25 and remained 17 degrees off, with 200 by 9 mm and 11 degrees, with 400 by 11 mm and
+/// 7 degrees.
+inline constexpr double kPadDirectionWeight = 400;
 inline constexpr double kNormalStep_m = 0.001;  ///< of the central difference of normals
 
 /// Volume of a mesh, relative to the cube of its radius, up to which it counts as zero.

@@ -96,6 +96,7 @@ void set_pad_goals(const robot::Robot& robot, const std::vector<DesiredContact>&
   if (goals.tip_to_pad_share.rows == 0)
     goals.tip_to_pad_share = {goals.frames(), robot.tips.size(), 0.0};
   for (const DesiredContact& touch : touches) {
+    if (touch.origin == ContactOrigin::auto_closed) continue;
     const double radius_m = robot.pads[touch.tip].radius;
     for (int f = 0; f < std::ssize(goals.time); ++f) {
       const double share = closing_progress(hold, goals.time[f]);

@@ -13,26 +13,6 @@ double smoothstep(double s) {
 
 }  // namespace
 
-std::string validation_error(const GraspOptions& o) {
-  if (!(o.pad_depth_m >= 0)) return "pad_depth must not be negative";
-  if (!(o.touch_distance_m > 0)) return "touch_distance must be above 0";
-  if (!(o.min_contact_share > 0 && o.min_contact_share <= 1))
-    return "min_contact_share must be above 0, at most 1";
-  if (!(o.preshape_clearance_m >= 0)) return "preshape_clearance must not be negative";
-  if (!(o.max_penetration_m >= 0)) return "max_penetration must not be negative";
-  if (!(o.max_link_penetration_m >= 0)) return "max_link_penetration must not be negative";
-  if (!(o.friction_coefficient >= 0)) return "friction_coefficient must not be negative";
-  if (!(o.torsional_friction_m >= 0)) return "torsional_friction must not be negative";
-  if (!(o.mass_kg > 0)) return "mass must be above 0";
-  if (!(o.max_finger_force > 0)) return "max_finger_force must be above 0";
-  if (!(o.min_finger_force_share >= 0 && o.min_finger_force_share < 1)) {
-    return "min_finger_force_share must be at least 0, below 1";
-  }
-  if (!(o.max_joint_torque > 0)) return "max_joint_torque must be above 0";
-  if (!(o.joint_stiffness > 0)) return "joint_stiffness must be above 0";
-  return "";
-}
-
 SurfacePoint nearest_surface(const collision::Solid& solid, const Vec3& point) {
   SurfacePoint nearest;
   Vec3 outwards;

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/motion/key_bounds.hpp"
+
 namespace morphe::grasp {
 
 /// Options for contacts with the object's surface (config section `grasp`).
@@ -23,22 +25,20 @@ struct GraspOptions {
 };
 template <class Fields>
 void fields(Fields& f, GraspOptions& o) {
-  f("pad_depth", o.pad_depth_m);
-  f("touch_distance", o.touch_distance_m);
-  f("min_contact_share", o.min_contact_share);
-  f("preshape_clearance", o.preshape_clearance_m);
+  f("pad_depth", o.pad_depth_m, bounds::kLength);
+  f("touch_distance", o.touch_distance_m, bounds::kPositiveLength);
+  f("min_contact_share", o.min_contact_share, bounds::kPositiveShare);
+  f("preshape_clearance", o.preshape_clearance_m, bounds::kLength);
   f("close_fingers", o.close_fingers);
-  f("max_penetration", o.max_penetration_m);
-  f("max_link_penetration", o.max_link_penetration_m);
-  f("friction_coefficient", o.friction_coefficient);
-  f("torsional_friction", o.torsional_friction_m);
-  f("mass", o.mass_kg);
-  f("max_finger_force", o.max_finger_force);
-  f("min_finger_force_share", o.min_finger_force_share);
-  f("max_joint_torque", o.max_joint_torque);
-  f("joint_stiffness", o.joint_stiffness);
+  f("max_penetration", o.max_penetration_m, bounds::kLength);
+  f("max_link_penetration", o.max_link_penetration_m, bounds::kLength);
+  f("friction_coefficient", o.friction_coefficient, bounds::kFriction);
+  f("torsional_friction", o.torsional_friction_m, bounds::kLength);
+  f("mass", o.mass_kg, bounds::kMass);
+  f("max_finger_force", o.max_finger_force, bounds::kForce);
+  f("min_finger_force_share", o.min_finger_force_share, bounds::kShareBelow1);
+  f("max_joint_torque", o.max_joint_torque, bounds::kTorque);
+  f("joint_stiffness", o.joint_stiffness, bounds::kStiffness);
 }
-/// Returns a sentence about the first invalid option, or "" if all are valid.
-std::string validation_error(const GraspOptions& options);
 
 }  // namespace morphe::grasp

@@ -35,7 +35,9 @@ SurfaceContactTerm::SurfaceContactTerm(const robot::Robot& robot,
       base_from_target_(base_from_target) {
   for (const DesiredContact& contact : contacts_) {
     demonstrated_centre_.push_back(
-        project_contact(robot, target, contact.demonstrated, contact).centre);
+        is_known(contact.demonstrated)
+            ? project_contact(robot, target, contact.demonstrated, contact).centre
+            : unknown_point());
   }
 }
 
@@ -66,6 +68,7 @@ void SurfaceContactTerm::residuals(const ResidualInput& input, JointVector& r,
     jacobian.middleRows<3>(row + 1) =
         turn_root * (target_from_base.linear() * direction_slope -
                      normal_derivative(target_, centre) * centre_slope_in_target);
+    if (!is_known(demonstrated_centre_[c])) continue;
     const Vec3 slide = centre - demonstrated_centre_[c];
     const double slide_m = slide.norm();
     if (slide_m <= kMaxSlide_m) continue;

@@ -17,7 +17,8 @@ namespace morphe::grasp {
 /// contact are
 ///   sqrt(kGapWeight) (d(x) - r),
 ///   sqrt(kPadDirectionWeight) (m - n(x)),
-///   sqrt(kGapWeight) max(0, |x - c| - kMaxSlide_m).
+///   sqrt(kGapWeight) max(0, |x - c| - kMaxSlide_m),
+/// the last one 0 if no person touched (a finger that closes by itself).
 /// The distance from the desired point is not part of it: the objective's goals of the tips are.
 class SurfaceContactTerm final : public ResidualTerm {
  public:

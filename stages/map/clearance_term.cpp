@@ -33,12 +33,6 @@ void missing_slack_gradient(const collision::CollisionWorld& world, double time_
 
 }  // namespace
 
-std::string validation_error(const ClearanceTerm& term) {
-  if (term.weight < 0) return "weight must not be negative";
-  if (term.activation_distance_m <= 0) return "activation_distance must be positive";
-  return "";
-}
-
 void add_clearance(const ClearanceTerm& term, const collision::CollisionWorld& world,
                    const JointVector& q, double time_s, ClearanceScratch& scratch,
                    solve::Quadratic& model) {

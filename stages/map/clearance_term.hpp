@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/collision/world.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/solve/quadratic.hpp"
 
 namespace morphe::map {
@@ -15,11 +16,9 @@ struct ClearanceTerm {
 };
 template <class Fields>
 void fields(Fields& f, ClearanceTerm& o) {
-  f("weight", o.weight);
-  f("activation_distance", o.activation_distance_m);
+  f("weight", o.weight, bounds::kWeight);
+  f("activation_distance", o.activation_distance_m, bounds::kPositiveLength);
 }
-/// Returns a sentence about the first invalid option, or "" if all are valid.
-std::string validation_error(const ClearanceTerm& term);
 
 /// Buffers of add_clearance(), reused from call to call.
 struct ClearanceScratch {

@@ -18,7 +18,6 @@ std::vector<std::size_t> common_fingers(const HandBones& robot, const HandBones&
 }  // namespace
 
 std::string validation_error(const HandOptions& options) {
-  if (!(options.factor > 0)) return "factor must be positive";
   if (options.scale != HandScale::fixed && options.factor != 1) {
     return "factor must be 1 unless scale is fixed";
   }

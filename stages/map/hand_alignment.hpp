@@ -6,6 +6,7 @@
 
 #include "core/motion/hand_bones.hpp"
 #include "core/motion/human_motion.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::map {
 
@@ -37,7 +38,7 @@ struct HandOptions {
 template <class Fields>
 void fields(Fields& f, HandOptions& o) {
   f("scale", o.scale);
-  f("factor", o.factor);
+  f("factor", o.factor, bounds::kFactor);
   f("align", o.align);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.

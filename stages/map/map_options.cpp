@@ -37,31 +37,11 @@ void set_mode(MapMode mode, humanlike::FrameObjective& objective) {
 
 }  // namespace
 
-std::string validation_error(const BaseOffset& o) {
-  if (!(o.limit_m >= 0 && o.weight >= 0)) return "limit and weight must not be negative";
-  return "";
-}
-
 std::string validation_error(const MapOptions& o) {
-  double lowest = std::min({o.movement_cost.velocity, o.movement_cost.acceleration,
-                            o.movement_cost.jerk, o.wrist_motion});
-  o.objective.for_each_term([&](const auto& term) { lowest = std::min(lowest, term.weight); });
-  if (lowest < 0) return "weights must not be negative";
   const auto& thumb = o.objective.get<humanlike::ThumbDistance>();
-  if (!(thumb.full_distance_m >= 0 && thumb.full_distance_m < thumb.zero_distance_m)) {
-    return "thumb_full_distance must not be negative, and less than thumb_zero_distance";
-  }
+  if (!(thumb.full_distance_m < thumb.zero_distance_m))
+    return "thumb_full_distance must be less than thumb_zero_distance";
   if (const auto error = validation_error(o.phases); !error.empty()) return "phases: " + error;
-  if (o.branch_share < 0) return "branch_share must not be negative";
-  if (o.phase_blend_s < 0) return "phase_blend_s must not be negative";
-  if (o.orientation_smoothing <= 0) return "orientation_smoothing must be positive";
-  if (o.key_frames < 1 || o.starts < 1 || o.candidates < 1) {
-    return "key_frames, starts and candidates must be at least 1";
-  }
-  if (o.coarse_step_s <= 0) return "coarse_step_s must be positive";
-  if (o.reach_search_starts < 1 || o.reach_tolerance_m <= 0) {
-    return "reach_search_starts and reach_tolerance_m must be positive";
-  }
   return "";
 }
 

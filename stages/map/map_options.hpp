@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/humanlike/frame_objective.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/solve/minimise.hpp"
 #include "core/solve/minimise_movement.hpp"
 #include "stages/map/clearance_term.hpp"
@@ -51,11 +52,9 @@ struct BaseOffset {
 };
 template <class Fields>
 void fields(Fields& f, BaseOffset& o) {
-  f("limit", o.limit_m);
-  f("weight", o.weight);
+  f("limit", o.limit_m, bounds::kLength);
+  f("weight", o.weight, bounds::kWeight);
 }
-/// Returns a sentence about the first invalid option, or "" if all are valid.
-std::string validation_error(const BaseOffset& options);
 
 /// Returns the default weights. Humanlikeness, clearance and smoothness pull tips off their goals,
 /// on the shipped recordings by at most 2 mm (tests/cli/test_run.py). Tips give way to
@@ -104,30 +103,30 @@ template <class Fields>
 void fields(Fields& f, NaturalJoint& o) {
   f.required("joint", o.joint);
   f("follow", o.follow);
-  f("value", o.value);
+  f("value", o.value, bounds::kJointPosition);
 }
 template <class Fields>
 void fields(Fields& f, MapOptions& o) {
   f("mode", o.mode);
   fields(f, o.objective);
   f("phases", o.phases);
-  f("phase_blend_s", o.phase_blend_s);
-  f("orientation_smoothing", o.orientation_smoothing);
+  f("phase_blend_s", o.phase_blend_s, bounds::kDuration);
+  f("orientation_smoothing", o.orientation_smoothing, bounds::kPositiveAngle);
   f("natural_posture", o.natural_posture);
   f("base_offset", o.base_offset);
   f("clearance", o.clearance);
   f("avoid_target", o.avoid_target);
   f("movement_cost", o.movement_cost);
-  f("wrist_motion", o.wrist_motion);
+  f("wrist_motion", o.wrist_motion, bounds::kWeight);
   f("branch", o.branch);
-  f("branch_share", o.branch_share);
+  f("branch_share", o.branch_share, bounds::kFactorOrNone);
   f("branch_posture", o.branch_posture);
-  f("key_frames", o.key_frames);
-  f("starts", o.starts);
-  f("candidates", o.candidates);
-  f("coarse_step_s", o.coarse_step_s);
-  f("reach_search_starts", o.reach_search_starts);
-  f("reach_tolerance_m", o.reach_tolerance_m);
+  f("key_frames", o.key_frames, bounds::kSearchCount);
+  f("starts", o.starts, bounds::kSearchCount);
+  f("candidates", o.candidates, bounds::kSearchCount);
+  f("coarse_step_s", o.coarse_step_s, bounds::kTimeStep);
+  f("reach_search_starts", o.reach_search_starts, bounds::kCount);
+  f("reach_tolerance_m", o.reach_tolerance_m, bounds::kPositiveLength);
   f("frame_solver", o.frame_solver);
   f("movement_solver", o.movement_solver);
 }

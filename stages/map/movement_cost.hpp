@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/robot_model.hpp"
 
 namespace morphe::map {
@@ -16,9 +17,9 @@ struct MovementCost {
 };
 template <class Fields>
 void fields(Fields& f, MovementCost& o) {
-  f("velocity", o.velocity);
-  f("acceleration", o.acceleration);
-  f("jerk", o.jerk);
+  f("velocity", o.velocity, bounds::kWeight);
+  f("acceleration", o.acceleration, bounds::kWeight);
+  f("jerk", o.jerk, bounds::kWeight);
 }
 
 /// Returns the weights [n] on the squared first, second and third differences between frames of a

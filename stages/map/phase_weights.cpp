@@ -15,10 +15,6 @@ std::string validation_error(const std::vector<PhaseWeights>& weights) {
       if (weights[k].phase == w.phase)
         return fmt::format("phase {} appears twice", name_of(w.phase));
     }
-    const humanlike::FrameWeights& s = w.factors;
-    if (std::min({s.tip_position, s.tip_orientation, s.humanlike_arm, s.humanlike_fingers}) < 0) {
-      return "weights must not be negative";
-    }
   }
   return "";
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
 
@@ -32,12 +33,12 @@ struct PlacementOptions {
 template <class Fields>
 void fields(Fields& f, PlacementOptions::ElementaryRotation& o) {
   f.required("axis", o.axis);
-  f.required("angle", o.angle);
+  f.required("angle", o.angle, bounds::kAngle);
 }
 template <class Fields>
 void fields(Fields& f, PlacementOptions& o) {
   f("rotation", o.rotation);
-  f("shoulder_offset", o.shoulder_offset);
+  f("shoulder_offset", o.shoulder_offset, bounds::kCoordinate);
   f("found_by", o.found_by);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/motion/geometry.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::reconstruct {
 
@@ -27,13 +28,13 @@ struct ReconstructOptions {
 };
 template <class Fields>
 void fields(Fields& f, ReconstructOptions& o) {
-  f("rate_hz", o.rate_hz);
-  f("cutoff_hz", o.cutoff_hz);
-  f("glove_rest_cutoff_hz", o.glove_rest_cutoff_hz);
-  f("max_gap_s", o.max_gap_s);
+  f("rate_hz", o.rate_hz, bounds::kRate.from(1).up_to(1000));
+  f("cutoff_hz", o.cutoff_hz, bounds::kRate);
+  f("glove_rest_cutoff_hz", o.glove_rest_cutoff_hz, bounds::kRate);
+  f("max_gap_s", o.max_gap_s, bounds::kPositiveDuration);
   f("align_clocks", o.align_clocks);
-  f("thumb_marker_to_axis_m", o.thumb_marker_to_axis_m);
-  f("index_marker_to_axis_m", o.index_marker_to_axis_m);
+  f("thumb_marker_to_axis_m", o.thumb_marker_to_axis_m, bounds::kLength.up_to(0.05));
+  f("index_marker_to_axis_m", o.index_marker_to_axis_m, bounds::kLength.up_to(0.05));
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const ReconstructOptions& options);
@@ -59,15 +60,13 @@ struct HumanOptions {
 };
 template <class Fields>
 void fields(Fields& f, HumanOptions& o) {
-  f("stature_m", o.stature_m);
-  f("upper_arm", o.upper_arm);
-  f("forearm", o.forearm);
-  f("shoulder_from_first_wrist", o.shoulder_from_first_wrist);
-  f("max_reach_share", o.max_reach_share);
-  f("elbow_swivel", o.elbow_swivel);
-  f("max_limit_violation_m", o.max_limit_violation_m);
+  f("stature_m", o.stature_m, KeyBounds{0.5, 2.5, "m"});
+  f("upper_arm", o.upper_arm, bounds::kBone);
+  f("forearm", o.forearm, bounds::kBone);
+  f("shoulder_from_first_wrist", o.shoulder_from_first_wrist, bounds::kCoordinate);
+  f("max_reach_share", o.max_reach_share, bounds::kShareBelow1.above_lower());
+  f("elbow_swivel", o.elbow_swivel, bounds::kAngle);
+  f("max_limit_violation_m", o.max_limit_violation_m, bounds::kPositiveLength);
 }
-/// Returns a sentence about the first invalid option, or "" if all are valid.
-std::string validation_error(const HumanOptions& options);
 
 }  // namespace morphe::reconstruct

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/motion/enum_names.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::repair {
 
@@ -21,11 +22,9 @@ struct TempoOptions {
 };
 template <class Fields>
 void fields(Fields& f, TempoOptions& o) {
-  f("max_duration_ratio", o.max_duration_ratio);
-  f("max_tip_error_ratio", o.max_tip_error_ratio);
+  f("max_duration_ratio", o.max_duration_ratio, bounds::kFactorFrom1);
+  f("max_tip_error_ratio", o.max_tip_error_ratio, bounds::kFactorFrom1);
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const TempoOptions& options);
 
 /// The options of repair.
 struct RepairOptions {
@@ -43,17 +42,15 @@ struct RepairOptions {
 template <class Fields>
 void fields(Fields& f, RepairOptions& o) {
   f("method", o.method);
-  f("attempts", o.attempts);
-  f("max_iterations", o.max_iterations);
-  f("widen_samples", o.widen_samples);
-  f("range", o.range);
-  f("shortcut_attempts", o.shortcut_attempts);
-  f("pull_back_attempts", o.pull_back_attempts);
-  f("mapping_searches", o.mapping_searches);
-  f("extra_clearance", o.extra_clearance);
+  f("attempts", o.attempts, bounds::kSearchCountOrNone);
+  f("max_iterations", o.max_iterations, bounds::kCount);
+  f("widen_samples", o.widen_samples, bounds::kCount);
+  f("range", o.range, bounds::kFactor);
+  f("shortcut_attempts", o.shortcut_attempts, bounds::kCountOrNone);
+  f("pull_back_attempts", o.pull_back_attempts, bounds::kCountOrNone);
+  f("mapping_searches", o.mapping_searches, bounds::kSearchCountOrNone);
+  f("extra_clearance", o.extra_clearance, bounds::kLength);
   f("tempo", o.tempo);
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const RepairOptions& options);
 
 }  // namespace morphe::repair

@@ -237,25 +237,9 @@ bool retime_to_duration(Eigen::Index periods,
 
 }  // namespace
 
-std::string validation_error(const PhaseSpeed& o) {
-  if (!(o.scale >= 1e-3)) return "scale must be at least 0.001";
-  return "";
-}
-
 std::string validation_error(const RetimeOptions& o) {
   if ((o.mode == RetimeMode::duration) != o.duration_s.has_value())
     return "duration_s must be given with mode duration, and only with it";
-  if (o.duration_s && !(*o.duration_s > 0 && *o.duration_s <= 3600))
-    return "duration_s must be above 0 and at most 3600";
-  if (!(o.sample_rate_hz >= 10 && o.sample_rate_hz <= 10000))
-    return "sample_rate_hz must be 10 to 10000";
-  if (!(o.limit_scaling >= 1e-3 && o.limit_scaling <= 1))
-    return "limit_scaling must lie in [0.001, 1]";
-  if (o.max_tip_speed && !(*o.max_tip_speed >= 1e-3)) return "max_tip_speed must be at least 0.001";
-  if (!(o.smoothing_s >= 0)) return "smoothing_s must not be negative";
-  if (!(o.tip_tolerance >= 0)) return "tip_tolerance must not be negative";
-  if (!(o.joint_tolerance >= 0)) return "joint_tolerance must not be negative";
-  if (!(o.planned_smoothing_factor > 0)) return "planned_smoothing_factor must be positive";
   return "";
 }
 

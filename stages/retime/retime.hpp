@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/outcome.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/robot_model.hpp"
@@ -20,10 +21,8 @@ struct PhaseSpeed {
 template <class Fields>
 void fields(Fields& f, PhaseSpeed& o) {
   f.required("phase", o.phase);
-  f.required("scale", o.scale);
+  f.required("scale", o.scale, bounds::kFactor);
 }
-/// Returns an error sentence, or "" if the options are valid.
-std::string validation_error(const PhaseSpeed& options);
 
 /// The goal of the time parametrisation, as retime() explains it.
 enum class RetimeMode { human, fastest, duration, catch_up };
@@ -47,15 +46,15 @@ struct RetimeOptions {
 template <class Fields>
 void fields(Fields& f, RetimeOptions& o) {
   f("mode", o.mode);
-  f("duration_s", o.duration_s);
-  f("sample_rate_hz", o.sample_rate_hz);
-  f("limit_scaling", o.limit_scaling);
-  f("max_tip_speed", o.max_tip_speed);
+  f("duration_s", o.duration_s, bounds::kPositiveDuration);
+  f("sample_rate_hz", o.sample_rate_hz, bounds::kRate.from(10));
+  f("limit_scaling", o.limit_scaling, bounds::kShare.from(1e-3));
+  f("max_tip_speed", o.max_tip_speed, bounds::kSpeed);
   f("phase_speed", o.phase_speed);
-  f("smoothing_s", o.smoothing_s);
-  f("tip_tolerance", o.tip_tolerance);
-  f("joint_tolerance", o.joint_tolerance);
-  f("planned_smoothing_factor", o.planned_smoothing_factor);
+  f("smoothing_s", o.smoothing_s, bounds::kSmoothing);
+  f("tip_tolerance", o.tip_tolerance, bounds::kLength);
+  f("joint_tolerance", o.joint_tolerance, bounds::kAngleSize);
+  f("planned_smoothing_factor", o.planned_smoothing_factor, bounds::kFactor);
 }
 /// Returns an error sentence, or "" if the options are valid.
 std::string validation_error(const RetimeOptions& options);

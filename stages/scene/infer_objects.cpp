@@ -189,7 +189,7 @@ std::optional<SceneObject> infer_target(const TargetOptions& options, const Huma
       std::clamp(radius_between(options, tips), options.min_radius, options.max_radius));
   const double middle = (tips.thumb.z() + tips.index.z()) / 2;
   const double rim = rim_height(options, tips);
-  const bool stands = table && rim - table_top_height(*table) <= kMaxInferredExtent_m;
+  const bool stands = table && rim - table_top_height(*table) <= bounds::kInferredExtent.upper;
   const double foot = stands ? table_top_height(*table) : middle - options.height / 2;
   const double height = std::max(options.height, rim - foot);
   const Vec3 midpoint = (tips.thumb + tips.index) / 2;

@@ -17,11 +17,6 @@ inline constexpr double kTimeTolerance_s = 1e-9;
 std::optional<SceneObject> infer_table(const TableOptions& options, const HumanMotion& motion,
                                        const Movement& movement);
 
-/// Bounds of each extent of an inferred target [m], chosen by hand: what is thinner is pinched and
-/// does not stand by itself, and nothing taller than a bottle is held by its side. What is grasped
-/// higher above the table is not taken from it, like a comb at the head.
-inline constexpr double kMinInferredExtent_m = 0.03, kMaxInferredExtent_m = 0.3;
-
 /// The tips of thumb and index finger at a grasp, in the world [m]; NaN if not seen.
 struct GraspTips {
   Vec3 thumb, index;
@@ -46,9 +41,9 @@ double table_top_height(const SceneObject& table);
 void set_attachment_times(const Movement& movement, const Phase& grasp, SceneObject& target);
 
 /// Infers the target: the cylinder between the tips, or options.body, placed on `table`. If that is
-/// null, or so far below that the cylinder would be higher than kMaxInferredExtent_m, the cylinder
-/// is centred at the height of the tips. Returns no object if options.infer is
-/// false, the movement has no grasp, or a tip was not seen.
+/// null, or so far below that the cylinder would be higher than bounds::kInferredExtent, the
+/// cylinder is centred at the height of the tips. Returns no object if options.infer is false, the
+/// movement has no grasp, or a tip was not seen.
 std::optional<SceneObject> infer_target(const TargetOptions& options, const HumanMotion& motion,
                                         const Movement& movement, const SceneObject* table);
 

@@ -47,9 +47,10 @@ std::vector<RecordingFlag> height_flags(const TargetOptions& options, const Gras
                                         const SceneObject* table) {
   if (!table || table->shape != Shape::box || target.shape != Shape::cylinder) return {};
   const double height_m = rim_height(options, tips) - table_top_height(*table);
-  if (!(height_m > kMaxInferredExtent_m)) return {};
+  constexpr double kMaxHeight_m = bounds::kInferredExtent.upper;
+  if (!(height_m > kMaxHeight_m)) return {};
   return {
-      flag_of(FlagCode::unlikely_target, grasp, target.name, height_m, kMaxInferredExtent_m,
+      flag_of(FlagCode::unlikely_target, grasp, target.name, height_m, kMaxHeight_m,
               fmt::format("a {} that stands on the table would be {:.0f} mm tall, more than an "
                           "inferred one may be: it is taken as {:.0f} mm tall and in the air at "
                           "the grasp; give its shape with scene.target.body, or the table's "

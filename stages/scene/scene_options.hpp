@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 
 #include "core/collision/mesh_solid.hpp"
 #include "core/config/node.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/scene.hpp"
 
 namespace morphe::scene {
@@ -52,13 +54,13 @@ template <class Fields>
 void fields(Fields& f, ConfiguredObject& o) {
   f.required("name", o.name);
   f.required("shape", o.shape);
-  f("size", o.size);
+  f("size", o.size, bounds::kObjectSize);
   f("file", o.file);
-  f("scale", o.scale);
+  f("scale", o.scale, bounds::kMeshScale);
   f("relative_to", o.relative_to);
   f("anchor", o.anchor);
-  f.required("position", o.position);
-  f("rpy", o.rpy);
+  f.required("position", o.position, bounds::kCoordinate);
+  f("rpy", o.rpy, bounds::kAngle);
   f("avoid_in_mapping", o.avoid_in_mapping);
 }
 /// Returns a sentence about the first invalid field, or "" if all are valid.
@@ -87,13 +89,13 @@ struct TableOptions {
 template <class Fields>
 void fields(Fields& f, TableOptions& o) {
   f("infer", o.infer);
-  f("height", o.height);
-  f("resting_height_percentile", o.resting_height_percentile);
-  f("tip_clearance", o.tip_clearance);
-  f("thickness", o.thickness);
-  f("size", o.size);
-  f("front_margin", o.front_margin);
-  f("side_margin", o.side_margin);
+  f("height", o.height, bounds::kCoordinate);
+  f("resting_height_percentile", o.resting_height_percentile, bounds::kPercentile);
+  f("tip_clearance", o.tip_clearance, bounds::kLength);
+  f("thickness", o.thickness, bounds::kPositiveLength);
+  f("size", o.size, bounds::kObjectSize);
+  f("front_margin", o.front_margin, bounds::kSignedLength);
+  f("side_margin", o.side_margin, bounds::kLength);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const TableOptions& options);
@@ -105,8 +107,8 @@ struct TargetPose {
 };
 template <class Fields>
 void fields(Fields& f, TargetPose& o) {
-  f.required("position", o.position);
-  f("rpy", o.rpy);
+  f.required("position", o.position, bounds::kCoordinate);
+  f("rpy", o.rpy, bounds::kAngle);
 }
 /// A displacement of the target from its recorded pose; the rotation is about its centre.
 struct TargetPoseOffset {
@@ -115,8 +117,8 @@ struct TargetPoseOffset {
 };
 template <class Fields>
 void fields(Fields& f, TargetPoseOffset& o) {
-  f("position", o.position);
-  f("rpy", o.rpy);
+  f("position", o.position, bounds::kCoordinate);
+  f("rpy", o.rpy, bounds::kAngle);
 }
 
 /// The shape of the target, if it is known. It is placed on the table, between thumb and index tip
@@ -137,11 +139,11 @@ struct TargetBody {
 template <class Fields>
 void fields(Fields& f, TargetBody& o) {
   f("shape", o.shape);
-  f("size", o.size);
+  f("size", o.size, bounds::kObjectSize);
   f("file", o.file);
-  f("scale", o.scale);
-  f("rpy", o.rpy);
-  f("grasp_point", o.grasp_point);
+  f("scale", o.scale, bounds::kMeshScale);
+  f("rpy", o.rpy, bounds::kAngle);
+  f("grasp_point", o.grasp_point, bounds::kCoordinate);
 }
 /// Returns a sentence about the first invalid field, or "" if all are valid.
 std::string validation_error(const TargetBody& body);
@@ -173,12 +175,12 @@ template <class Fields>
 void fields(Fields& f, TargetOptions& o) {
   f("infer", o.infer);
   f("name", o.name);
-  f("height", o.height);
-  f("rim_margin", o.rim_margin);
-  f("pad_depth", o.pad_depth);
-  f("min_radius", o.min_radius);
-  f("max_radius", o.max_radius);
-  f("radius", o.radius);
+  f("height", o.height, bounds::kInferredExtent);
+  f("rim_margin", o.rim_margin, bounds::kLength);
+  f("pad_depth", o.pad_depth, bounds::kLength);
+  f("min_radius", o.min_radius, bounds::kInferredRadius);
+  f("max_radius", o.max_radius, bounds::kInferredRadius);
+  f("radius", o.radius, bounds::kPositiveLength);
   f("body", o.body);
   f("carried_by", o.carried_by);
   f("pose_offset", o.pose_offset);
@@ -203,6 +205,8 @@ struct SceneOptions {
 
   std::vector<ConfiguredObject> file_objects;  ///< those of `file`, read by load_scene_files()
   collision::MeshCache meshes;                 ///< preprocessed by load_scene_files()
+  /// The files read by load_scene_files(): `file`, the meshes, and the files that meshes name.
+  std::vector<std::filesystem::path> files;
 };
 template <class Fields>
 void fields(Fields& f, SceneOptions& o) {
@@ -211,7 +215,7 @@ void fields(Fields& f, SceneOptions& o) {
   f("table", o.table);
   f("target", o.target);
   f("other_arm", o.other_arm);
-  f("other_arm_radii", o.other_arm_radii);
+  f("other_arm_radii", o.other_arm_radii, bounds::kPositiveLength);
 }
 /// Returns a sentence about the first invalid option, or "" if all are valid.
 std::string validation_error(const SceneOptions& options);
@@ -225,7 +229,8 @@ inline constexpr std::array<const char*, 3> kOtherArmNames = {"other upper arm",
 /// Returns true if an object of that name is a part of the other arm under these options.
 bool is_other_arm_part(const SceneOptions& options, const std::string& name);
 
-/// Loads the meshes and `file` (if any) of options that were read from `node`. Throws InputError
+/// Loads the meshes and `file` (if any) of options that were read from `node`, from the disk or
+/// from the given files of the node's document (core/files/given_files.hpp). Throws InputError
 /// (with file, line and key) for a wrong value, a name used twice, and a file that cannot be read,
 /// is not a mesh or has a size that indicates another unit.
 void load_scene_files(SceneOptions& options, const config::ConfigNode& node);

@@ -175,27 +175,6 @@ std::vector<Movement> whole_recording(const HumanMotion& motion) {
 }  // namespace
 
 std::string validation_error(const SegmentOptions& o) {
-  const std::pair<const char*, double> shares[] = {
-      {"onset_share", o.onset_share},     {"weak_unit_share", o.weak_unit_share},
-      {"dip_share", o.dip_share},         {"opening_share", o.opening_share},
-      {"closing_share", o.closing_share}, {"preshape_share", o.preshape_share}};
-  for (const auto& [name, value] : shares) {
-    if (value < 0 || value >= 1) return fmt::format("{}: must be in [0, 1), not {}", name, value);
-  }
-  const std::pair<const char*, double> lengths[] = {
-      {"velocity_smoothing_s", o.velocity_smoothing_s},
-      {"min_peak_speed", o.min_peak_speed},
-      {"min_reach_distance", o.min_reach_distance},
-      {"return_radius", o.return_radius},
-      {"min_grasp_s", o.min_grasp_s},
-      {"min_object_displacement", o.min_object_displacement},
-      {"hold_after_touch_s", o.hold_after_touch_s}};
-  for (const auto& [name, value] : lengths) {
-    if (value < 0) return fmt::format("{}: must not be negative, not {}", name, value);
-  }
-  if (o.onset_share == 0) return "onset_share: must be above 0";
-  if (o.dip_share == 0) return "dip_share: must be above 0";
-  if (o.min_peak_speed == 0) return "min_peak_speed: must be above 0";
   const std::string error = end_error("plan_until", o.plan_until);
   return error.empty() ? validation_error(o.plan_until_by_task) : error;
 }

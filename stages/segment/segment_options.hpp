@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/movement.hpp"
 
 namespace morphe::segment {
@@ -54,19 +55,19 @@ struct SegmentOptions {
 };
 template <class Fields>
 void fields(Fields& f, SegmentOptions& o) {
-  f("velocity_smoothing_s", o.velocity_smoothing_s);
-  f("onset_share", o.onset_share);
-  f("min_peak_speed", o.min_peak_speed);
-  f("weak_unit_share", o.weak_unit_share);
-  f("dip_share", o.dip_share);
-  f("min_reach_distance", o.min_reach_distance);
-  f("return_radius", o.return_radius);
-  f("opening_share", o.opening_share);
-  f("closing_share", o.closing_share);
-  f("preshape_share", o.preshape_share);
-  f("min_grasp_s", o.min_grasp_s);
-  f("min_object_displacement", o.min_object_displacement);
-  f("hold_after_touch_s", o.hold_after_touch_s);
+  f("velocity_smoothing_s", o.velocity_smoothing_s, bounds::kSmoothing);
+  f("onset_share", o.onset_share, bounds::kShareBelow1.above_lower());
+  f("min_peak_speed", o.min_peak_speed, bounds::kSpeed);
+  f("weak_unit_share", o.weak_unit_share, bounds::kShareBelow1);
+  f("dip_share", o.dip_share, bounds::kShareBelow1.above_lower());
+  f("min_reach_distance", o.min_reach_distance, bounds::kLength);
+  f("return_radius", o.return_radius, bounds::kLength);
+  f("opening_share", o.opening_share, bounds::kShareBelow1);
+  f("closing_share", o.closing_share, bounds::kShareBelow1);
+  f("preshape_share", o.preshape_share, bounds::kShareBelow1);
+  f("min_grasp_s", o.min_grasp_s, bounds::kDuration);
+  f("min_object_displacement", o.min_object_displacement, bounds::kLength);
+  f("hold_after_touch_s", o.hold_after_touch_s, bounds::kDuration);
   f("until_grasped", o.until_grasped);
   f("whole_recording", o.whole_recording);
   f("plan_until", o.plan_until);

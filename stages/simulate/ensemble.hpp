@@ -18,8 +18,9 @@ Variation variation_of(const PreparedPlan& plan, const SimulateOptions& options,
 
 /// The result of simulating a plan.
 struct PlanResult {
-  std::string plan;         ///< "<demonstration>/<000>"
-  std::string plan_sha256;  ///< store::fingerprint() of the plan
+  std::string plan;          ///< "<demonstration>/<000>"
+  std::string plan_sha256;   ///< store::fingerprint() of the plan
+  std::string not_verified;  ///< why the plan was not verified before; "" if it was
   SkipReason skip_reason = SkipReason::none;
   std::string detail;
   std::vector<std::string> notes;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "core/files/sha256.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
 #include "core/physics/model.hpp"
@@ -19,7 +20,15 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "morphe-simulation";
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
+
+constexpr const char* kOwnHash = "sha256";
+
+/// Returns the SHA-256 of all members but the hash itself.
+std::string hash_without_own(Json json) {
+  json.erase(kOwnHash);
+  return files::sha256(json.dump());
+}
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 /// Reads a force [N]; null stands for infinity, for loads that no squeeze supports.
@@ -152,6 +161,7 @@ PlanResult result_of(const Json& json) {
   PlanResult result;
   result.plan = json.at("plan").get<std::string>();
   result.plan_sha256 = json.at("plan_sha256").get<std::string>();
+  result.not_verified = json.at("not_verified").get<std::string>();
   result.skip_reason = enum_at<SkipReason>(json, "skip_reason");
   result.detail = json.at("detail").get<std::string>();
   result.notes = json.at("notes").get<std::vector<std::string>>();
@@ -186,24 +196,26 @@ std::string result_json(const PlanResult& result, const SimulateOptions& options
   Json settings;
   const auto add = [&](const char* name, const auto& value) { settings[name] = value; };
   fields(add, options);
-  const Json json = {{"format", kFormat},
-                     {"version", kVersion},
-                     {"software", software()},
-                     {"engine", physics::engine_version()},
-                     {"input_sha256", key},
-                     {"options", settings},
-                     {"assumptions", assumptions(options)},
-                     {"plan", result.plan},
-                     {"plan_sha256", result.plan_sha256},
-                     {"skip_reason", name_of(result.skip_reason)},
-                     {"detail", result.detail},
-                     {"notes", result.notes},
-                     {"held", result.held_count()},
-                     {"finger_forces", finger_forces},
-                     {"contact_source", name_of(result.contact_source)},
-                     {"force_scale", result.force_scale},
-                     {"planned_contact_s", number(result.planned_contact_s)},
-                     {"rollouts", rollouts}};
+  Json json = {{"format", kFormat},
+               {"version", kVersion},
+               {"software", software()},
+               {"engine", physics::engine_version()},
+               {"input_sha256", key},
+               {"options", settings},
+               {"assumptions", assumptions(options)},
+               {"plan", result.plan},
+               {"plan_sha256", result.plan_sha256},
+               {"not_verified", result.not_verified},
+               {"skip_reason", name_of(result.skip_reason)},
+               {"detail", result.detail},
+               {"notes", result.notes},
+               {"held", result.held_count()},
+               {"finger_forces", finger_forces},
+               {"contact_source", name_of(result.contact_source)},
+               {"force_scale", result.force_scale},
+               {"planned_contact_s", number(result.planned_contact_s)},
+               {"rollouts", rollouts}};
+  json[kOwnHash] = hash_without_own(json);
   return json.dump(1) + "\n";
 }
 
@@ -213,9 +225,10 @@ std::optional<PlanResult> read_result(const std::filesystem::path& file, const s
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   try {
     const Json json = Json::parse(text);
-    if (json.at("input_sha256") != key) return std::nullopt;
+    if (json.at("input_sha256") != key || json.at(kOwnHash) != hash_without_own(json))
+      return std::nullopt;
     return result_of(json);
-    // A file of another version or program counts as missing.
+    // A file of another version or program, or one that was changed, counts as missing.
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -228,6 +241,8 @@ StoredResult load_result(const std::filesystem::path& file) {
     const Json json = Json::parse(text);
     if (json.at("format") != kFormat || json.at("version") != kVersion)
       throw InputError("it has another format or version");
+    if (json.at(kOwnHash) != hash_without_own(json))
+      throw InputError("it was changed since; simulate again into this folder");
     return {result_of(json), json.at("engine").get<std::string>()};
   } catch (const std::exception& error) {
     throw InputError(

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/robot_model.hpp"
 
 namespace morphe::simulate {
@@ -17,14 +18,12 @@ struct ServoGains {
 };
 template <class Fields>
 void fields(Fields& f, ServoGains& o) {
-  f("stiffness", o.stiffness);
-  f("velocity_gain", o.velocity_gain);
-  f("armature", o.armature);
-  f("damping", o.damping);
-  f("torque_limit", o.torque_limit);
+  f("stiffness", o.stiffness, bounds::kStiffness);
+  f("velocity_gain", o.velocity_gain, bounds::kGain);
+  f("armature", o.armature, bounds::kGain);
+  f("damping", o.damping, bounds::kGain);
+  f("torque_limit", o.torque_limit, bounds::kTorque);
 }
-/// Returns an error sentence, or "" if the gains are valid.
-std::string validation_error(const ServoGains& gains);
 
 using ServoTable = std::map<std::string, ServoGains>;  ///< by joint name
 

@@ -167,13 +167,21 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
     violations.note_plan("certificate", "repaired", plan.repaired, repaired);
 }
 
-void verify_no_certificate(const Certificate& certificate, ViolationLog& violations) {
+void verify_no_certificate(const Plan& plan, ViolationLog& violations) {
+  const Certificate& certificate = plan.certificate;
   for (const auto& [name, value] : kAttributes)
     if (!std::isnan(certificate.*value))
       violations.note_plan("certificate", name, certificate.*value, kUnknown);
   for (const KindClearance& each : certificate.clearance_by_kind)
     violations.note_plan("certificate", fmt::format("clearance_by_kind/{}", name_of(each.kind)),
                          each.clearance, kUnknown);
+  const auto require_none = [&](const char* name, std::size_t count) {
+    if (count > 0) violations.note_plan("structure", name, static_cast<double>(count), 0);
+  };
+  require_none("certificate/unchecked_links", certificate.unchecked_links.size());
+  require_none("approach", plan.approach.samples());
+  require_none("retreat", plan.retreat.samples());
+  require_none("grasp", plan.grasp.sample >= 0 ? 1 : 0);
 }
 
 }  // namespace morphe::verify

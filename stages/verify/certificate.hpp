@@ -23,7 +23,7 @@ void verify_certificate(const RobotModel& robot, const Plan& plan, const Curve& 
                         ViolationLog& violations);
 
 /// Records a `certificate` violation for each value in the certificate of a plan without a
-/// trajectory.
-void verify_no_certificate(const Certificate& certificate, ViolationLog& violations);
+/// trajectory, and a `structure` violation for a grasp, an approach or a retreat of it.
+void verify_no_certificate(const Plan& plan, ViolationLog& violations);
 
 }  // namespace morphe::verify

@@ -1,22 +1,20 @@
 #include "stages/verify/contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "stages/verify/attached_object.hpp"
 #include "stages/verify/carried_object.hpp"
+#include "stages/verify/closest_pairs.hpp"
 #include "stages/verify/frame_poses.hpp"
-#include "stages/verify/mesh.hpp"
 #include "stages/verify/object_travel.hpp"
+#include "stages/verify/pair_distance.hpp"
 #include "stages/verify/separation.hpp"
 
 namespace morphe::verify {
 namespace {
 
-constexpr double kDistanceTolerance_m = 1e-6, kStoredClearanceTolerance_m = 1e-4;
+constexpr double kDistanceTolerance_m = 1e-6;
 /// Intervals that are still undecided when no body travels farther than this count as violations.
 /// This is less than the 0.1 mm of planning, so that no clearance that planning proved with other
 /// intervals is left undecided.
@@ -32,37 +30,30 @@ constexpr int kMaxContactBisections = 1000000;
 /// Distances are evaluated exactly up to the required one plus this multiple of the travel in the
 /// interval, so that the next pieces can skip the pair.
 constexpr double kLookaheadRatio = 8;
-/// The poses of all bodies at one instant.
-struct Snapshot {
-  std::vector<Pose> base_from_frame, object_from_base;
-  std::vector<Segment> axes;  ///< of the capsules, in the base frame
-  double demonstration_time = 0;
-};
 
 class ContactVerifier {
  public:
   ContactVerifier(const RobotModel& robot, const Plan& plan, const Curve& curve,
                   ViolationLog& violations)
-      : robot_(robot), plan_(plan), curve_(curve), violations_(violations) {
+      : plan_(plan), curve_(curve), violations_(violations), bodies_(robot, plan) {
     pairs_ = contact_pairs(robot, plan);
     bound_.assign(pairs_.size(), -kInfinity);
     window_ = touch_window(plan.movement.phases);
-    for (const SceneObject& object : plan.scene.objects) {
+    for (const SceneObject& object : plan.scene.objects)
       object_travels_.push_back(object_travel(object));
-      meshes_.push_back(object.shape == Shape::mesh ? make_mesh(object) : Mesh());
-    }
     motion_bounds_.resize(pairs_.size(), robot.lower.size());
     for (int i = 0; i < std::ssize(pairs_); ++i) motion_bounds_.row(i) = pairs_[i].motion_bound;
-    attached_ = find_attached_object(robot, plan, plan.trajectory);
-    carried_ = verify_carried_object(robot, plan, curve, meshes_, attached_, violations);
+    const AttachedObject& attached = bodies_.attached();
+    carried_ = verify_carried_object(robot, plan, curve, bodies_.meshes(), attached, violations);
     for (const ContactPair& pair : pairs_)
-      kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair), kind_of(pair)});
-    if (attached_.object < 0) return;
-    const double radius = bounding_radius(plan.scene.objects[attached_.object]);
-    const Vec3 centre = attached_.frame_from_object.translation();
+      kinds_.push_back({pair.is_object, pair.may_touch, is_attached_target(pair),
+                        static_cast<int>(kind_of_pair(plan, pair))});
+    if (attached.object < 0) return;
+    const double radius = bounding_radius(plan.scene.objects[attached.object]);
+    const Vec3 centre = attached.frame_from_object.translation();
     for (int i = 0; i < std::ssize(robot.capsules); ++i)
       attached_motion_bounds_.push_back(
-          relative_motion_bound(robot, i, attached_.frame, centre, radius));
+          relative_motion_bound(robot, i, attached.frame, centre, radius));
   }
 
   ClearanceByKind run() {
@@ -85,7 +76,8 @@ class ContactVerifier {
     }
     for (int k = 0; k < kClearanceKindCount; ++k)
       clearance[k] = std::min(clearance[k], carried_.along_curve[k]);
-    if (curve_.trajectory == &plan_.trajectory) verify_closest_pairs();
+    if (curve_.trajectory == &plan_.trajectory)
+      verify_closest_pairs(plan_, curve_, pairs_, bodies_, violations_);
     return clearance;
   }
 
@@ -109,8 +101,8 @@ class ContactVerifier {
                    : std::max({required, clearance[kinds_[i].clearance], std::min(limit, least)});
       if (!is_known_clear(i, enough)) {
         if (!std::exchange(poses_updated, true))
-          update_body_poses(trajectory.position.row(sample).transpose(), time_s);
-        bound_[i] = distance(pair, enough);
+          bodies_.move_to(trajectory.position.row(sample).transpose(), time_s);
+        bound_[i] = bodies_.distance(pair, enough);
         if (!(bound_[i] >= required - kDistanceTolerance_m)) note(pair, point, bound_[i], required);
       }
       if (touching) continue;
@@ -139,48 +131,8 @@ class ContactVerifier {
     return {piece, s0, s1, middle, at(s0), at(middle), at(s1), half_s};
   }
 
-  int kind_of(const ContactPair& pair) const {
-    return static_cast<int>(
-        pair.is_object ? kind_of_object(plan_.scene.objects[pair.other].name, plan_.movement.target)
-                       : ClearanceKind::self);
-  }
-
-  /// Compares each clearance of the certificate with the distance of its pair at its time.
-  void verify_closest_pairs() {
-    for (const KindClearance& stored : plan_.certificate.clearance_by_kind) {
-      const double value = distance_of(stored);
-      if (std::abs(value - stored.clearance) <= kStoredClearanceTolerance_m) continue;
-      violations_.note_plan("certificate",
-                            fmt::format("clearance_by_kind/{}/pair", name_of(stored.kind)),
-                            stored.clearance, value);
-    }
-  }
-
-  /// Returns the distance of the named pair at the named time; NaN if there is no such pair.
-  double distance_of(const KindClearance& stored) {
-    const std::vector<double>& time = curve_.trajectory->time;
-    if (!(stored.time_s >= time.front() && stored.time_s <= time.back())) return kUnknown;
-    const auto after = std::ranges::upper_bound(time, stored.time_s) - time.begin();
-    const int piece = std::clamp(static_cast<int>(after) - 1, 0, curve_.pieces - 1);
-    const double s = (stored.time_s - time[piece]) / (time[piece + 1] - time[piece]);
-    const double time_s = curve_.demonstration_time_at(piece, s);
-    curve_.position_at(piece, s, q_);
-    if (stored.first == plan_.movement.target)
-      return carried_distance(robot_, plan_, meshes_, attached_, stored.second, q_, time_s);
-    update_body_poses(q_, time_s);
-    for (const ContactPair& pair : pairs_) {
-      const std::string& first = robot_.capsules[pair.capsule].name;
-      const std::string& second =
-          pair.is_object ? plan_.scene.objects[pair.other].name : robot_.capsules[pair.other].name;
-      const bool same = (first == stored.first && second == stored.second) ||
-                        (!pair.is_object && first == stored.second && second == stored.first);
-      if (same && kind_of(pair) == static_cast<int>(stored.kind)) return distance(pair, kInfinity);
-    }
-    return kUnknown;
-  }
-
   bool is_attached_target(const ContactPair& pair) const {
-    return pair.is_object && pair.other == attached_.object;
+    return pair.is_object && pair.other == bodies_.attached().object;
   }
 
   bool may_touch_in(const ContactPair& pair, double begin_s, double end_s) const {
@@ -223,7 +175,7 @@ class ContactVerifier {
       const double required = required_clearance_in(pair, part);
       const double required_at_middle =
           required_distance(pair, may_touch_in(pair, part.middle_s, part.middle_s));
-      const double value = distance(pair, required + kLookaheadRatio * travel);
+      const double value = bodies_.distance(pair, required + kLookaheadRatio * travel);
       bound_[index] = value - travel;
       if (value >= required + travel - kDistanceTolerance_m) continue;
       const bool violated = !(value >= required_at_middle - kDistanceTolerance_m);
@@ -253,7 +205,7 @@ class ContactVerifier {
       if (may_touch_in(pair, part.begin_s, part.end_s)) continue;
       double& clearance = clearances[kinds_[index].clearance];
       const double travel = max_travel(part, pair);
-      const double value = distance(pair, clearance + kLookaheadRatio * travel);
+      const double value = bodies_.distance(pair, clearance + kLookaheadRatio * travel);
       if (!may_touch_in(pair, part.middle_s, part.middle_s)) clearance = std::min(clearance, value);
       if (value - travel >= clearance - kClearanceResolution_m ||
           !(travel > 0.1 * kClearanceResolution_m && travel < kMaxContactTravel_m))
@@ -272,17 +224,17 @@ class ContactVerifier {
 
   void update_poses_at_middle(const PieceInterval& part) {
     curve_.position_at(part.piece, part.middle, q_);
-    update_body_poses(q_, part.middle_s);
+    bodies_.move_to(q_, part.middle_s);
   }
 
   /// Returns by how much a pair's distance may be less anywhere in an interval than at its middle.
   double max_travel(const PieceInterval& part, const ContactPair& pair) const {
     const bool target = is_attached_target(pair);
-    const JointVector& lever = target && attached_.is_attached(part.middle_s)
+    const JointVector& lever = target && bodies_.attached().is_attached(part.middle_s)
                                    ? attached_motion_bounds_[pair.capsule]
                                    : pair.motion_bound;
     const double travel = part.half_s * curve_.speed.row(part.piece).dot(lever);
-    const bool off_recording = target && part.middle_s >= attached_.attach_s;
+    const bool off_recording = target && part.middle_s >= bodies_.attached().attach_s;
     return !pair.is_object || off_recording ? travel : travel + max_object_travel(part, pair);
   }
 
@@ -306,52 +258,15 @@ class ContactVerifier {
                          : allowed.max_link_penetration.value_or(allowed.max_penetration));
   }
 
-  void update_body_poses(const JointVector& q, double time_s) {
-    frame_poses(robot_, q, poses_.base_from_frame);
-    poses_.axes.clear();
-    for (const RobotModel::Capsule& capsule : robot_.capsules)
-      poses_.axes.push_back({to_base_frame(poses_.base_from_frame, capsule.frame, capsule.from),
-                             to_base_frame(poses_.base_from_frame, capsule.frame, capsule.to)});
-    poses_.object_from_base.clear();
-    for (const SceneObject& object : plan_.scene.objects)
-      poses_.object_from_base.push_back(recorded_pose(object, time_s).inverse());
-    if (attached_.is_attached(time_s)) {
-      poses_.object_from_base[attached_.object] =
-          (poses_.base_from_frame[attached_.frame] * attached_.frame_from_object).inverse();
-    } else if (attached_.is_released(time_s)) {
-      poses_.object_from_base[attached_.object] = attached_.base_from_released_object.inverse();
-    }
-  }
-
-  /// Returns a pair's exact distance if it is below `enough`, otherwise a bound from `enough` on.
-  double distance(const ContactPair& pair, double enough) const {
-    const Segment& axis = poses_.axes[pair.capsule];
-    if (pair.is_object) {
-      const Pose& object_from_base = poses_.object_from_base[pair.other];
-      const Segment in_object{object_from_base * axis.from, object_from_base * axis.to};
-      const SceneObject& object = plan_.scene.objects[pair.other];
-      const double enough_for_axis = enough + pair.radius_sum;
-      return (object.shape == Shape::mesh
-                  ? segment_mesh_distance(meshes_[pair.other], in_object, enough_for_axis)
-                  : segment_solid_distance(object, in_object, enough_for_axis)) -
-             pair.radius_sum;
-    }
-    const Segment& other = poses_.axes[pair.other];
-    const double balls = 0.5 * ((axis.from + axis.to - other.from - other.to).norm() -
-                                (axis.to - axis.from).norm() - (other.to - other.from).norm()) -
-                         pair.radius_sum;
-    return balls >= enough ? balls : segment_distance(axis, other) - pair.radius_sum;
-  }
-
   void note(const ContactPair& pair, const CurvePoint& point, double value, double required) {
     violations_.note(pair.is_object ? "object_collision" : "self_collision", pair.subject, point,
                      value, required, required - value);
   }
 
-  const RobotModel& robot_;
   const Plan& plan_;
   const Curve& curve_;
   ViolationLog& violations_;
+  BodyDistances bodies_;
   int bisections_left_ = kMaxContactBisections, clearance_bisections_left_ = kMaxContactBisections;
   /// The properties of a pair that are asked for in every piece, apart from its others: these fit
   /// into the cache.
@@ -363,8 +278,6 @@ class ContactVerifier {
   std::vector<PairKind> kinds_;  ///< [pairs]
   TouchWindow window_;
   std::vector<ObjectTravel> object_travels_;
-  std::vector<Mesh> meshes_;  ///< [objects] empty if the object is not a mesh
-  AttachedObject attached_;
   CarriedClearance carried_;
   std::vector<JointVector> attached_motion_bounds_;  ///< [capsules] relative to the attached target
   JointRows motion_bounds_;                          ///< [pairs, n] motion bounds of the pairs
@@ -377,7 +290,6 @@ class ContactVerifier {
     double bound = 0;
   };
   std::vector<NearPair> near_pairs_;  ///< in the order of the pieces
-  Snapshot poses_;
   JointVector q_;
 };
 

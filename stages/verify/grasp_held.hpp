@@ -11,7 +11,8 @@ namespace morphe::verify {
 /// robot that has pads on several fingers, though no two touching contacts are opposed (the angle
 /// between each normal and the line to the other contact is at most atan of the friction) and
 /// epsilon_lower is not positive. Records "held_drift" [m] or "held_turn" [rad] if the pads move in
-/// the palm by more than 0.5 mm or 1 degree until the target is put down (recompute_held_drift()).
+/// the palm by more than 0.5 mm or 1 degree until the target is put down (the certificate's
+/// figures, which verify_certificate() recomputes).
 void verify_held(const RobotModel& robot, const Plan& plan, ViolationLog& violations);
 
 }  // namespace morphe::verify

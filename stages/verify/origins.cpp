@@ -72,7 +72,7 @@ void verify_assumptions(const std::vector<Assumption>& stored,
       violations.note_plan("assumption", each.subject + " is missing", kUnknown, kUnknown);
   }
   for (const Assumption& each : stored) {
-    if (each.kind != AssumptionKind::set_by_hand && !contains(request, each))
+    if (!contains(request, each))
       violations.note_plan("assumption", each.subject, kUnknown, kUnknown);
   }
 }

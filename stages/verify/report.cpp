@@ -49,6 +49,17 @@ std::string assumptions_json(const VerifyReport& report) {
   return out;
 }
 
+/// Returns the lines on what was compared, and with what nothing was compared.
+std::string compared_lines(const LookedAt& looked_at) {
+  std::string with = "the file with its format", without;
+  (looked_at.inputs ? with : without) += "; robot, config and plans with /inputs";
+  (looked_at.recordings ? with : without) += "; plans with their recordings";
+  if (!looked_at.recordings) without += " (--dataset F.h5)";
+  std::string lines = fmt::format("  {:<13} {}\n", "compared", with);
+  if (!without.empty()) lines += fmt::format("  {:<13} {}\n", "not compared", without.substr(2));
+  return lines;
+}
+
 }  // namespace
 
 std::string verify_json(const VerifyReport& report) {
@@ -66,7 +77,10 @@ std::string verify_json(const VerifyReport& report) {
     separator = ",";
   }
   out += report.violations.empty() ? "]" : "\n]";
-  return out + fmt::format(", \"assumptions\": [{}]}}\n", assumptions_json(report));
+  return out + fmt::format(
+                   ", \"assumptions\": [{}], \"looked_at\": {{\"file\": true, \"curves\": true, "
+                   "\"inputs\": {}, \"recordings\": {}}}}}\n",
+                   assumptions_json(report), report.looked_at.inputs, report.looked_at.recordings);
 }
 
 std::string violation_text(const Violation& v) {
@@ -90,6 +104,7 @@ std::string verify_text(const VerifyReport& report) {
   out += fmt::format("  {:<13} {}\n", "certified",
                      "limits, collisions and tracking of the stored curves, recomputed "
                      "(docs/certificate.md)");
+  out += compared_lines(report.looked_at);
   out += subject_lines(report.assumptions, report.plan_assumptions, plans);
   return fmt::format("{}{} executable, {}{}{} infeasible, {}\n", out, report.executable,
                      approximate, partial, report.infeasible,

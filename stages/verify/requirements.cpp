@@ -5,19 +5,21 @@
 
 #include "core/motion/task.hpp"
 #include "stages/verify/delivered_part.hpp"
+#include "stages/verify/placement.hpp"
 
 namespace morphe::verify {
 namespace {
 
 constexpr double kPhaseTimeTolerance_s = 1e-9, kGoalStepTolerance_s = 1e-6;
+constexpr double kSampleStepTolerance_s = 1e-9;
 constexpr double kBodyPoseTolerance = 1e-6;
 
 bool same_number(double a, double b) {
   return std::abs(a - b) <= 1e-12 * std::max(1.0, std::abs(b)) || (std::isnan(a) && std::isnan(b));
 }
 
-void verify_tolerances(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
-  const Tolerances &own = plan.tolerances, &required = request.tolerances;
+void verify_tolerances(const Tolerances& own, const Tolerances& required,
+                       ViolationLog& violations) {
   const auto check = [&](const char* name, double value, double expected) {
     if (!same_number(value, expected)) violations.note_plan("config", name, value, expected);
   };
@@ -50,6 +52,16 @@ PhaseKind plan_until(const Plan& plan, const PlanRequest& request) {
   return *request.plan_until;
 }
 
+/// Records the first step between two samples that is not the controller's.
+void verify_sample_steps(const Trajectory& motion, double step_s, ViolationLog& violations) {
+  for (std::size_t k = 1; k < motion.time.size(); ++k) {
+    const double own_s = motion.time[k] - motion.time[k - 1];
+    if (std::abs(own_s - step_s) <= kSampleStepTolerance_s) continue;
+    violations.note_plan("config", "sample_rate_hz", 1 / own_s, 1 / step_s);
+    return;
+  }
+}
+
 void verify_plan_times(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
   const std::vector<double>& time = plan.goals.time;
   if (time.size() > 1) {
@@ -57,6 +69,8 @@ void verify_plan_times(const Plan& plan, const PlanRequest& request, ViolationLo
     if (!(std::abs(step_s - request.goal_step_s) <= kGoalStepTolerance_s))
       violations.note_plan("config", "goals", step_s, request.goal_step_s);
   }
+  for (const Trajectory* motion : {&plan.trajectory, &plan.approach, &plan.retreat})
+    verify_sample_steps(*motion, request.sample_step_s, violations);
   const std::vector<Phase>& phases = plan.movement.phases;
   if (!request.plan_until || phases.empty()) return;
   const auto check = [&](const char* name, double value, double expected) {
@@ -100,24 +114,13 @@ Pose pose_of(PlanRequest::ReferenceFrame frame, const WorldFrames& world) {
   }
 }
 
-bool same_shape(const SceneObject& a, const SceneObject& b) {
-  const auto near = [](const Vec3& p, const Vec3& q) {
-    return (p - q).norm() <= kBodyPoseTolerance;
-  };
-  return a.shape == b.shape && a.triangles == b.triangles &&
-         std::ranges::equal(a.size, b.size, same_number) &&
-         std::ranges::equal(a.vertices, b.vertices, near);
-}
-
 void verify_scene_bodies(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
   for (const PlanRequest::Body& body : request.bodies) {
     const SceneObject* own = find_object(plan.scene.objects, body.object.name);
-    const bool named_only = body.relative_to == PlanRequest::ReferenceFrame::unknown;
-    if (!own || own->time.size() != 1 || !(named_only || same_shape(*own, body.object))) {
+    if (!own || own->time.size() != 1 || !same_shape(*own, body.object)) {
       violations.note_plan("config", body.object.name, kUnknown, kUnknown);
       continue;
     }
-    if (named_only) continue;
     const Pose required = pose_of(body.relative_to, plan.reference_frames) *
                           make_pose(body.object.position[0], body.object.orientation[0]);
     const Pose stored = make_pose(own->position[0], own->orientation[0]);
@@ -137,12 +140,26 @@ void verify_attached_frame(const Plan& plan, const PlanRequest& request, Violati
 
 }  // namespace
 
-void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations) {
-  verify_tolerances(plan, request, violations);
+void verify_infeasible_requirements(const RobotModel& robot, const Plan& plan,
+                                    const PlanRequest& request, ViolationLog& violations) {
+  Tolerances own = plan.tolerances;
+  own.max_penetration = request.tolerances.max_penetration;
+  own.max_link_penetration = request.tolerances.max_link_penetration;
+  verify_tolerances(own, request.tolerances, violations);
+  verify_plan_times(plan, request, violations);
+  if (is_known(plan.reference_frames.base_from_world))
+    verify_placement(robot, plan, request, violations);
+}
+
+void verify_requirements(const RobotModel& robot, const Plan& plan, const PlanRequest& request,
+                         ViolationLog& violations) {
+  verify_tolerances(plan.tolerances, request.tolerances, violations);
   verify_flags(plan, request, violations);
   verify_plan_times(plan, request, violations);
   verify_approach_retreat_present(plan, request, violations);
   verify_scene_bodies(plan, request, violations);
+  verify_scene_shapes(plan, request, violations);
+  verify_placement(robot, plan, request, violations);
   verify_attached_frame(plan, request, violations);
   verify_origins(plan, request, violations);
 }

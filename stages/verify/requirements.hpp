@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/motion/plan_request.hpp"
+#include "core/motion/robot_model.hpp"
 #include "stages/verify/violation_log.hpp"
 
 namespace morphe::verify {
@@ -12,8 +13,8 @@ namespace morphe::verify {
 ///                    1e-9 s
 /// requested_end_s    the same of a partial plan, which ends earlier
 /// approach, retreat  absent though requested, or present though not requested
-/// OBJECT             an object of the config is missing, moves, or has another shape, size or pose
-///                    (1e-6) than the config gives it
+/// OBJECT             an object of the config is missing, moves, or has another shape, size, mesh
+///                    or pose (1e-6) than config and inputs give it; the target has another shape
 /// carried_by         the target is attached to another frame than the request's, or to any though
 ///                    the movement ends before its attach_s
 /// OBJECT/origin      it is not known whether an object was configured, recorded or inferred, an
@@ -21,15 +22,32 @@ namespace morphe::verify {
 ///                    neither table nor target
 /// clearance_by_kind  absent from a certificate with a clearance
 /// must_be_known      an inferred table or target that the config requires to be known
-/// Records a `flag` violation for each of its flags that the config refuses and nobody accepted.
-void verify_requirements(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
+/// sample_rate_hz     two samples of a motion are not a step of the controller apart; 1e-9 s
+/// Records a `flag` violation for each of its flags that the config refuses and nobody accepted,
+/// and the violations of verify_scene_shapes() and verify_placement().
+void verify_requirements(const RobotModel& robot, const Plan& plan, const PlanRequest& request,
+                         ViolationLog& violations);
+/// Records the same violations of tolerances, times and placement for a plan without a trajectory.
+/// (It may have failed before or after the tolerances of contacts were applied.)
+void verify_infeasible_requirements(const RobotModel& robot, const Plan& plan,
+                                    const PlanRequest& request, ViolationLog& violations);
+
+/// Records `config` violations of shapes that follow from the request:
+/// TARGET/shape          not that of `scene.target.body`
+/// TARGET/shape_origin   that of a target which was not recorded is configured without a radius in
+///                       the request, or inferred in spite of one
+/// TARGET/size           its radius is not the request's, or outside of the bounds
+/// NAME/size             a capsule of the person's other arm has another radius
+void verify_scene_shapes(const Plan& plan, const PlanRequest& request, ViolationLog& violations);
+/// Returns true if two objects have the same shape, to 1e-6 m of the vertices of a mesh.
+bool same_shape(const SceneObject& a, const SceneObject& b);
 
 /// Records a `robot` violation for each column in which a stored robot table differs from the
 /// requested one: other names or counts, or numbers x that differ by more than 1e-9 max(1, |x|).
 void verify_robot(const RobotModel& stored, const RobotModel& request, ViolationLog& violations);
 
-/// Records an `assumption` violation for each assumption of robot and config that the stored ones
-/// lack, and for each stored one that is not requested and not a setting given by hand.
+/// Records an `assumption` violation for each assumption of robot, config and settings that the
+/// stored ones lack, and for each stored one that is not requested.
 void verify_assumptions(const std::vector<Assumption>& stored,
                         const std::vector<Assumption>& request, ViolationLog& violations);
 

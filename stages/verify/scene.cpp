@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/movement.hpp"
 #include "core/motion/plan.hpp"
 #include "core/motion/scene.hpp"
@@ -12,8 +13,9 @@
 namespace morphe::verify {
 namespace {
 
-/// The bounds of each extent of a target whose shape is inferred [m].
-constexpr double kLeastInferredExtent_m = 0.03, kLargestInferredExtent_m = 0.3;
+/// The bounds of each extent of a target whose shape is inferred [m]: those of the config's keys.
+constexpr double kLeastInferredExtent_m = bounds::kInferredExtent.lower,
+                 kLargestInferredExtent_m = bounds::kInferredExtent.upper;
 constexpr double kExtentTolerance_m = 1e-9;
 constexpr double kFrameTolerance = 1e-6, kAttachTimeTolerance_s = 1e-9;
 

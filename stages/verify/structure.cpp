@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "stages/verify/approach_retreat.hpp"
-#include "stages/verify/certificate.hpp"
 #include "stages/verify/magnitudes.hpp"
 #include "stages/verify/separation.hpp"
 
@@ -156,10 +155,7 @@ bool verify_structure(const RobotModel& robot, const Plan& plan, ViolationLog& v
                          0);
     return false;
   }
-  if (!plan.has_trajectory()) {
-    verify_no_certificate(plan.certificate, violations);
-    return false;
-  }
+  if (!plan.has_trajectory()) return false;
   if (!plan.remaining_findings.empty())
     violations.note_plan("structure", "remaining_findings",
                          static_cast<double>(plan.remaining_findings.size()), 0);

@@ -53,12 +53,22 @@ void verify_grasp(const RobotModel& robot, const Plan& plan, const std::string& 
   verify_grasp_forces(robot, plan, config, violations);
 }
 
+void verify_infeasible(const RobotModel& robot, const Plan& plan, const PlanRequest* request,
+                       ViolationLog& violations) {
+  verify_no_certificate(plan, violations);
+  verify_phases(plan, violations);
+  if (request) verify_infeasible_requirements(robot, plan, *request, violations);
+}
+
 std::vector<Violation> verify_trajectory_and_contents(const RobotModel& robot,
                                                       const std::string& plan_path,
                                                       const Plan& plan, const std::string& config,
                                                       const PlanRequest* request) {
   ViolationLog violations(plan_path);
-  if (!verify_structure(robot, plan, violations)) return violations.finish();
+  if (!verify_structure(robot, plan, violations)) {
+    if (!plan.has_trajectory()) verify_infeasible(robot, plan, request, violations);
+    return violations.finish();
+  }
   const Curve curve = make_curve(plan.trajectory);
   verify_rest(robot, curve, violations);
   const LimitUse use = verify_limits(robot, curve, violations);
@@ -75,7 +85,7 @@ std::vector<Violation> verify_trajectory_and_contents(const RobotModel& robot,
   verify_branch(robot, plan, violations);
   verify_path(robot, plan, violations);
   verify_grasp(robot, plan, config, violations);
-  if (request) verify_requirements(plan, *request, violations);
+  if (request) verify_requirements(robot, plan, *request, violations);
   std::vector<Violation> all = violations.finish();
   for (const auto kind : {ApproachOrRetreat::approach, ApproachOrRetreat::retreat})
     for (Violation& violation : verify_approach_or_retreat(robot, plan_path, plan, kind, request))

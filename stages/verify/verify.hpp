@@ -14,6 +14,12 @@
 
 namespace morphe::verify {
 
+/// What a verification compared, beside the plans' curves and certificates.
+struct LookedAt {
+  bool inputs = false;      ///< robot, config and plans with the file's own inputs
+  bool recordings = false;  ///< plans with the recordings of which they are
+};
+
 /// The violations found in a file and the number of its plans by status.
 struct VerifyReport {
   int executable = 0, approximate = 0, partial = 0,
@@ -21,6 +27,7 @@ struct VerifyReport {
   std::vector<Violation> violations;
   std::vector<Assumption> assumptions;  ///< of the file
   AssumptionTally plan_assumptions;     ///< of its plans with a trajectory
+  LookedAt looked_at;
 };
 
 /// Verifies one plan against the guarantees of docs/formats.md, with an independent implementation.
@@ -36,10 +43,19 @@ MORPHE_EXPORT std::vector<Violation> verify_plan(const RobotModel& robot,
                                                  const std::string& config = {},
                                                  const PlanRequest* request = nullptr);
 
+/// Compares what a plan takes from its recording with `expected`, which was made from the recording
+/// anew (`recording`; value: the largest deviation, limit 1e-6): names, flags, assumptions, phases
+/// and times, the scene, the reference frames and the goals. Goals of tips that contacts may have
+/// changed are left out: with the section `grasp`, those since the preshape or 0.5 s before the
+/// grasp. Violations are sorted by subject.
+MORPHE_EXPORT std::vector<Violation> verify_recorded(const std::string& plan_path,
+                                                     const Plan& stored, const Plan& expected);
+
 /// Returns a file's request from its header; throws InputError if it cannot be determined.
 using RequirementsReader = std::function<PlanRequest(const PlanFileHeader&)>;
 
-/// Verifies every plan of a plans.h5, of which there must be at least one. With `read_request`, the
+/// Verifies every plan of a plans.h5, of which there must be at least one, and that the file has
+/// nothing but what its format has. With `read_request`, the
 /// robot's table and the plans are compared with the request, too. Runs on `jobs` threads, with the
 /// same report for any number. Throws InputError if the file cannot be read.
 MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
@@ -47,8 +63,8 @@ MORPHE_EXPORT VerifyReport verify_file(const std::filesystem::path& file,
 
 /// Returns the report as JSON: {executable, approximate, partial, infeasible, violations: [{plan,
 /// sample, time_s, cause, subject, value, limit, unit}], assumptions: [{kind, subject, value,
-/// plans}]}; a number that is not finite is null, and so is `plans` for an assumption of the whole
-/// file.
+/// plans}], looked_at: {file, curves, inputs, recordings}}; a number that is not finite is null,
+/// and so is `plans` for an assumption of the whole file.
 MORPHE_EXPORT std::string verify_json(const VerifyReport& report);
 
 /// Returns a violation as one line, such as "reach/000: plan: mapped status: 1, limit 0".

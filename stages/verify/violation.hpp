@@ -8,7 +8,8 @@ namespace morphe::verify {
 /// neighbouring samples are merged into one.
 ///
 /// cause        subject                  value, limit
-/// structure    dataset or object        status and content are inconsistent, shapes do not match
+/// structure    dataset or object, or a sentence   the file differs from its format, status and
+///                                       content are inconsistent, shapes do not match
 /// finite       dataset or object        a number that is not finite
 /// time         dataset                  time does not increase, demonstration_time decreases, or
 ///                                       they leave goals out
@@ -39,6 +40,7 @@ namespace morphe::verify {
 /// config       attribute, or a sentence stored value; value requested by the file's config
 /// flag         code                     value and limit of a flag that the config refuses
 /// robot        column of /robot         stored value; value derived from the file's inputs
+/// recording    dataset or attribute     deviation from what the recording gives; 1e-6
 struct Violation {
   std::string plan;   ///< its path; "" for the file as a whole
   int sample = -1;    ///< the trajectory's sample nearest to time_s; -1 for the plan as a whole

@@ -2,7 +2,7 @@
 the same number everywhere in its group of the table; a number for itself."""
 import h5py
 
-PLANS_ROOT = "format version config config_sha256 dataset_sha256 software built_with robot".split()
+PLANS_ROOT = "format version config config_sha256 dataset_sha256 settings inputs_sha256 software built_with robot".split()
 ROBOT_ATTRIBUTES = "name shoulder_frame palm_frame side".split()
 ROBOT = {
     "joint_names": ("n", "", None),

@@ -111,7 +111,7 @@ class Configs(RunCase):
 
     def test_negative_weight(self):
         replace(self.config, "map:\n", "map:\n  tip_position: -1\n")
-        self.run_refuses(self.at("tip_position"), "map: ", "must not be negative")
+        self.run_refuses(self.at("tip_position"), "map.tip_position: must be at least 0 and at most 1e+09, not -1")
 
     def test_no_robot(self):
         replace(self.config, "robot: .*\n", "")
@@ -207,7 +207,7 @@ class Scenes(RunCase):
 
     def test_negative_size(self):
         replace(self.scene, r"0\.06", "-0.06")
-        self.run_refuses(self.at("size:"), "objects[0].size: must be positive, not -0.06")
+        self.run_refuses(self.at("size:"), "objects[0].size[1]: must be above 0 and at most 100 m, not -0.06")
 
     def test_wrong_number_of_sizes(self):
         replace(self.scene, r"\[0\.05, 0\.06\]", "[0.05]")

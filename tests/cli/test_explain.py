@@ -147,6 +147,9 @@ class Explain(support.CommandCase):
 
     def test_wrong_names(self):
         self.refuses(morphe("explain", self.run_folder, "nobody/000"), self.run_folder, "'nobody/000'", "DEMONSTRATION/000")
+        with h5py.File(self.run_folder / "plans.h5") as file:
+            name = next(iter(file["plans"]))
+        self.refuses(morphe("explain", self.run_folder, f"{name}/0"), self.run_folder, f"did you mean '{name}/000'?")
         self.refuses(morphe("explain", self.folder), self.folder, "plans.h5")
         other = self.folder / "other.h5"
         other.write_bytes((self.run_folder / "demonstrations.h5").read_bytes() + b"\0")

@@ -52,7 +52,7 @@ class Export(CommandCase):
     def exported(self, kind, folder="out"):
         """The files written, by name."""
         out = self.folder / folder
-        printed = self.succeeds("export", PLANS, "--format", kind, "--out", out).stdout
+        printed = self.succeeds("export", PLANS, "--format", kind, "--out", out, "--unverified").stdout
         self.assertIn("ADL001AR1/001 skipped: no_path: a wall is in the way\n", printed)
         self.assertIn(" and the index written, 1 plan skipped\n", printed)
         return {file.name: file for file in out.iterdir() if not file.name.startswith("index_")}
@@ -130,7 +130,7 @@ class Export(CommandCase):
         shutil.copy(PLANS, copy)
         with h5py.File(copy, "r+") as file:
             del file["plans/ADL001AR1"]
-        self.succeeds("export", copy, "--format", "robomimic", "--out", self.folder / "out")
+        self.succeeds("export", copy, "--unverified", "--format", "robomimic", "--out", self.folder / "out")
         plan, _ = self.plan(FIRST)
         with h5py.File(self.folder / "out/robomimic.hdf5") as file:
             self.assertEqual([len(file["mask"][name]) for name in ("train", "valid")], [1, 0])
@@ -195,7 +195,7 @@ class Export(CommandCase):
         for kind in ("csv", "ros", "robomimic"):
             out = self.folder / kind
             self.assertIn("0 files and the index written, 1 plan skipped",
-                          self.succeeds("export", copy, "--format", kind, "--out", out).stdout)
+                          self.succeeds("export", copy, "--unverified", "--format", kind, "--out", out).stdout)
             index = json.loads((out / f"index_{kind}.json").read_text())
             self.assertEqual([file.name for file in out.iterdir()], [f"index_{kind}.json"])
             self.assertEqual((index["plans"], index["skipped"]), (
@@ -206,11 +206,11 @@ class Export(CommandCase):
         shutil.copy(PLANS, copy)
         with h5py.File(copy, "r+") as file:
             file["plans"][FIRST].attrs["status"] = "approximate"
-        self.succeeds("export", copy, "--format", "csv", "--out", self.folder / "csv")
+        self.succeeds("export", copy, "--unverified", "--format", "csv", "--out", self.folder / "csv")
         index = json.loads((self.folder / "csv/index_csv.json").read_text())
         self.assertEqual({plan["plan"]: plan["status"] for plan in index["plans"]},
                          {FIRST: "approximate", SECOND: "executable"})
-        self.succeeds("export", copy, "--format", "robomimic", "--out", self.folder / "robomimic")
+        self.succeeds("export", copy, "--unverified", "--format", "robomimic", "--out", self.folder / "robomimic")
         with h5py.File(self.folder / "robomimic/robomimic.hdf5") as file:
             self.assertEqual({formats.text(demo.attrs["plan"]): formats.text(demo.attrs["status"])
                               for demo in file["data"].values()},
@@ -223,7 +223,7 @@ class Export(CommandCase):
             file["plans"][FIRST]["trajectory/velocity"][7, 3] = np.nan
             time = file["plans"][SECOND]["trajectory/time"]
             time[5] = time[4]
-        printed = self.succeeds("export", copy, "--format", "csv", "--out", self.folder / "out").stdout
+        printed = self.succeeds("export", copy, "--unverified", "--format", "csv", "--out", self.folder / "out").stdout
         self.assertIn(f"{FIRST} skipped: the trajectory contains values that are not finite numbers", printed)
         self.assertIn(f"{SECOND} skipped: the trajectory's time does not increase", printed)
 

@@ -82,7 +82,7 @@ class Forged(CommandCase):
         self.finds("grasp", "approach_direction", from_elsewhere, nothing_else=True)
 
         def one_later(plan):
-            plan["grasp"].attrs["sample"] += 1
+            plan["grasp"].attrs.modify("sample", plan["grasp"].attrs["sample"] + 1)
         self.finds("grasp", "sample", one_later, nothing_else=True)
 
         def not_widest(plan):  # a posture of the trajectory, but the hand was wider open

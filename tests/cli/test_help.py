@@ -101,6 +101,16 @@ class Meant(CommandCase):
         self.assertIn("pa01.yaml: cannot be read; did you mean ", self.said("run", config, "--out", "o"))
         self.assertFalse((self.folder / "o").exists())
 
+    def test_folders(self):
+        (self.folder / "first").mkdir()
+        for command in ("list", "verify", "report", "explain"):
+            self.assertIn(f"{self.folder}/frist: cannot be read; did you mean '{self.folder}/first'?\n",
+                          self.said(command, self.folder / "frist", *["--out", "o"] * (command == "report")))
+
+    def test_a_number_of_threads(self):
+        self.assertIn("--jobs: ", self.said("verify", "plans.h5", "--jobs", "-1"))
+        self.assertIn("--jobs: ", self.said("verify", "plans.h5", "--jobs", "many"))
+
     def test_keys_all_at_once(self):
         config = self.folder / "c.yaml"
         config.write_text("robto: {file: x}\nmap:\n  strats: 3\n  starts: many\n  mode: humanlik\nsede: 2\ncheck: {required_clearanc: 1}\n")

@@ -154,8 +154,8 @@ class Runs(CommandCase):
         self.assertLess(objective["free_offset"] + (offset ** 2).sum(), objective["humanlike"])
 
     def test_bad_values_are_refused(self):
-        for setting, words in {"map.mode=elbow_only": "'elbow_only'", "map.humanlike_hull=-1": "negative",
-                               "map.base_offset.limit=-1": "negative"}.items():
+        for setting, words in {"map.mode=elbow_only": "'elbow_only'", "map.humanlike_hull=-1": "at least 0",
+                               "map.base_offset.limit=-1": "at least 0"}.items():
             with self.subTest(setting):
                 result = morphe("run", REFERENCE, "--out", self.folder / "out", "--set", setting)
                 self.assertEqual(result.returncode, 2)

@@ -89,9 +89,20 @@ class WithoutEffect(CommandCase):
         self.refused("--dataset", "explain", "a.h5", "--dataset", ADROIT)
         self.refused("--mass-range", "simulate", "a.h5", "--out", self.folder / "no", "--rollouts", "1",
                      "--mass-range", "0.1", "0.2")
+        self.refused("--seed", "simulate", "a.h5", "--out", self.folder / "no", "--rollouts", "1", "--seed", "1")
+        self.refused("--points", "inspect", ADROIT, "--points", "--json")
         self.refused("--tilt", "place", REFERENCE, "--mount", "any", "--tilt", "5")
         self.refused("--tilt", "place", REFERENCE, "--fix", "rotation", "--tilt", "5")
         self.refused("--mount", "place", REFERENCE, "--mount", "wall", "--fix", "rotation")
+
+    def test_of_a_robot_that_is_set_up(self):
+        robots = SOURCE / "configs/robots"
+        arm = robots / "urdf/fr3.urdf"
+        out = ("--out", self.folder / "no.yaml")
+        self.refused("--mount", "robot", "setup", arm, *out, "--mount", *"000000")
+        self.refused("--hand", "robot", "setup", arm, robots / "urdf/allegro.urdf", *out, "--hand", "palm")
+        for option in (("--arm", "x"), ("--elbow", "x"), ("--package", f"x={robots}"), ("--limit", "x=0..1"), ("--capsules", "3")):
+            self.refused(option[0], "robot", "setup", robots / "pa10.yaml", robots / "dlr_hit2.yaml", *out, *option)
 
     def test_those_that_change_a_part_are_noted_for_the_others(self):
         lab = self.folder / "lab"

@@ -122,7 +122,7 @@ class OtherArm(CommandCase):
         result = morphe("run", REFERENCE, "--dataset", FOLDER / "alone.yaml", "--out", self.folder / "out",
                         "--set", "scene.other_arm=true", "--set", "scene.other_arm_radii=[0.05, 0.05]")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("other_arm_radii: needs three positive radii: of upper arm, forearm and hand", result.stderr)
+        self.assertIn("other_arm_radii: needs three radii: of upper arm, forearm and hand", result.stderr)
         self.assertFalse((self.folder / "out").exists())
 
 

@@ -37,6 +37,14 @@ class ReportGrasp(CommandCase):
         shutil.copytree(PHYSICS, folder)
         return json.loads((folder / "ADL001DR2_000.json").read_text())
 
+    def physics_of_another_plan(self):
+        other = self.folder / "other.h5"
+        shutil.copy(PLANS, other)
+        with h5py.File(other, "r+") as file:
+            file["plans"][PLAN]["trajectory/position"][0] += 1e-6
+        self.succeeds("simulate", other, "--out", self.folder / "other", "--rollouts", 1, "--only", PLAN, "--unverified")
+        return self.folder / "other"
+
     def row(self, page):
         return next(row for row in page.rows if row["plan"] == PLAN)
 
@@ -63,12 +71,11 @@ class ReportGrasp(CommandCase):
         self.assertEqual(sum(shown["failures"].values()), 2 - shown["held"])
         self.assertEqual(shown["commanded_force_N"], results["rollouts"][0]["commanded_force_N"])
         file = self.folder / "physics/ADL001DR2_000.json"
-        file.write_text(json.dumps(results | {"plan_sha256": "0" * 64}))
-        page, printed = self.page("--simulation", self.folder / "physics")
+        page, printed = self.page("--simulation", self.physics_of_another_plan())
         self.assertIsNone(self.row(page)["physics"])
         self.assertIn(f"{PLAN}: skipped: the simulation belongs to another plan", printed)
         for broken in ("{}", "[", json.dumps({"format": 1, "version": 1, "plan_sha256": 2}),
-                       json.dumps(results | {"version": 3})):
+                       json.dumps(results | {"version": 2}), json.dumps(results | {"held": 2 - results["held"]})):
             file.write_text(broken)
             done = morphe("report", PLANS, "--out", self.folder / "none.html", "--simulation", file.parent)
             self.refuses(done, file)

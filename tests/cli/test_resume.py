@@ -192,8 +192,8 @@ class Refused(ManyCase):
 
     def test_two_runs_at_once(self):
         first = self.start()
-        self.refuses(morphe(*self.command(self.out)), self.out, "another run")
-        self.refuses(morphe(*self.command(self.out, "--fresh")), self.out, "another run")
+        self.refuses(morphe(*self.command(self.out)), self.out, "another command")
+        self.refuses(morphe(*self.command(self.out, "--fresh")), self.out, "another command")
         first.communicate()
         self.assertEqual(first.returncode, 0)
         self.same_bytes()

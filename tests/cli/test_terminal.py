@@ -125,7 +125,7 @@ class Seen(ManyCase):
         self.assertRegex("\n".join(terminal.lines()), rf"^{broken}:\d+: map: the key appears twice\n$")
         limited = Terminal(*self.command("/dev/full/out"))
         self.assertEqual(limited.end()[0], 2)
-        self.assertEqual("\n".join(limited.lines()), "/dev/full/out: the folder cannot be created\n")
+        self.assertEqual("\n".join(limited.lines()), "/dev/full/out: cannot be created: Not a directory\n")
 
     def test_a_file_and_a_pipe_hold_results_alone(self):
         with open(self.folder / "results.txt", "wb") as file:

@@ -34,7 +34,7 @@ struct StateReader {
   void read_joints(const config::ConfigNode& node) {
     if (!node.has("name") && !node.has("position")) return;
     const std::vector<std::string> names = node["name"].texts();
-    const std::vector<double> values = node["position"].numbers();
+    const std::vector<double> values = node["position"].numbers(bounds::kJointPosition);
     if (names.size() != values.size()) {
       node["position"].fail(
           fmt::format("has {} values for {} joints", values.size(), names.size()));

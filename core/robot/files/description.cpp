@@ -32,11 +32,10 @@ void read_tip(Assembly& assembly, const FileScope& scope, const config::ConfigNo
   tip.frame = mount.frame;
   if (tip.frame < 0) node[key].fail("a tip must be attached to a frame that moves");
   tip.transform = mount.frame_from_mount * read_optional_mount(node);
-  if (node.has("pad_depth")) tip.transform.translate(Vec3(-node["pad_depth"].number(), 0, 0));
+  if (node.has("pad_depth"))
+    tip.transform.translate(Vec3(-node["pad_depth"].number(bounds::kLength), 0, 0));
   if (node.has("finger_curve_share")) {
-    tip.finger_curve_share = node["finger_curve_share"].number();
-    if (tip.finger_curve_share < 0 || tip.finger_curve_share > 1)
-      node["finger_curve_share"].fail("must be from 0 (index) to 1 (little)");
+    tip.finger_curve_share = node["finger_curve_share"].number(bounds::kShare);
     tip.finger = 1 + static_cast<int>(std::lround(3 * tip.finger_curve_share));
   } else {
     tip.finger = read_finger(node["finger"]);
@@ -129,7 +128,8 @@ void read_fixed_joints(Assembly& assembly, const FileScope& scope, const config:
   for (const config::ConfigNode& node : optional_items(root, "fixed_joints")) {
     assembly.problems.attempt([&] {
       const int joint = read_joint(assembly, scope, node["joint"]);
-      const double position = node.has("position") ? node["position"].number() : 0;
+      const double position =
+          node.has("position") ? node["position"].number(bounds::kJointPosition) : 0;
       const JointLimits& limits = assembly.limits[joint];
       if (position < limits.lower || position > limits.upper)
         node[node.has("position") ? "position" : "joint"].fail(fmt::format(
@@ -170,16 +170,16 @@ void read_natural_posture(Assembly& assembly, const FileScope& scope,
     assembly.problems.attempt([&] {
       NaturalJoint joint{joint_named(node["joint"]), "", 0};
       if (node.has("follow")) joint.follow = joint_named(node["follow"]);
-      if (node.has("value")) joint.value = node["value"].number();
+      if (node.has("value")) joint.value = node["value"].number(bounds::kJointPosition);
       assembly.natural.push_back(joint);
     });
   }
 }
 
 /// Reads the YAML of a description. Throws InputError for a file of another kind.
-config::ConfigNode load_node(const std::filesystem::path& file) {
-  if (std::filesystem::is_regular_file(file)) {
-    const RobotFile kind = robot_file_kind(file);
+config::ConfigNode load_node(const std::filesystem::path& file, const files::GivenFiles* given) {
+  if (files::is_readable_file(file, given)) {
+    const RobotFile kind = robot_file_kind(file, given);
     if (kind != RobotFile::description) {
       throw InputError(
           fmt::format("{0}: is {1}, not a robot description; make one: morphe robot setup {0} "
@@ -187,7 +187,7 @@ config::ConfigNode load_node(const std::filesystem::path& file) {
                       file.string(), kind == RobotFile::urdf ? "a URDF" : "an MJCF"));
     }
   }
-  return config::ConfigNode::load(file);
+  return config::ConfigNode::load(file, given);
 }
 
 void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
@@ -197,8 +197,8 @@ void read_part(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   const config::ConfigNode file = node["file"];
   if (assembly.files.size() > 32) file.fail("more than 32 files; does a file include itself?");
   const std::string prefix = node.has("prefix") ? node["prefix"].text() : "";
-  const FileScope part = read_description(load_node(node.folder() / file.text()), mount,
-                                          scope.prefix + prefix, assembly);
+  const FileScope part = read_description(load_node(node.folder() / file.text(), node.given()),
+                                          mount, scope.prefix + prefix, assembly);
   scope.links.insert(part.links.begin(), part.links.end());
 }
 
@@ -258,8 +258,8 @@ RobotDescription build_description(const config::ConfigNode& root) {
 
 }  // namespace
 
-RobotDescription load_robot(const std::filesystem::path& file) {
-  return build_description(load_node(file));
+RobotDescription load_robot(const std::filesystem::path& file, const files::GivenFiles* given) {
+  return build_description(load_node(file, given));
 }
 
 RobotDescription parse_robot(const std::string& text, const std::filesystem::path& file) {

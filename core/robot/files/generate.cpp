@@ -192,7 +192,6 @@ RobotModel finalized_table(Assembly& assembly) {
 }  // namespace
 
 void add_generated_arm(Assembly& assembly, const MountPoint& base, const ArmSpec& shape) {
-  assert(validation_error(shape).empty());
   const double link_length = shape.length / (shape.joints / 3);
   Chain chain{"arm", true, {}, {}, base};
   for (int k = 0; k < shape.joints; ++k) {
@@ -215,7 +214,6 @@ void add_generated_arm(Assembly& assembly, const MountPoint& base, const ArmSpec
 }
 
 void add_generated_hand(Assembly& assembly, const MountPoint& base, const HandSpec& shape) {
-  assert(validation_error(shape).empty());
   const MountPoint palm{add_fixed(assembly, "palm", base)};
   const int first_metacarpal = capsule_count(assembly);
   for (int number = 1; number < shape.fingers; ++number)

@@ -6,12 +6,12 @@
 namespace morphe::robot {
 
 /// Generates an arm. Its chain is called `arm`; its wrist serves as palm frame and as only tip.
-/// validation_error(shape) must return "".
+/// Its values must be within their bounds.
 RobotModel generate_arm(const ArmSpec& shape);
-/// Generates a hand, whose base is its palm. validation_error(shape) must return "".
+/// Generates a hand, whose base is its palm. Its values must be within their bounds.
 RobotModel generate_hand(const HandSpec& shape);
 /// Generates an arm with a hand, whose palm has the pose `wrist_from_palm` in the arm's wrist
-/// frame. validation_error() must return "" for both specifications.
+/// frame. The values of both must be within their bounds.
 RobotModel generate_arm_hand(const ArmSpec& arm, const HandSpec& hand,
                              const Pose& wrist_from_palm = Pose::Identity());
 

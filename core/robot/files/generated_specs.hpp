@@ -1,7 +1,8 @@
 #pragma once
 
 #include <numbers>
-#include <string>
+
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::robot {
 
@@ -29,9 +30,27 @@ struct HandSpec {
   double radius = 0;  ///< of a capsule along each phalanx and metacarpal; 0 for no capsules [m]
 };
 
-/// Returns the reason why a specification is invalid, or "" if it is valid.
-std::string validation_error(const ArmSpec& shape);
-/// Returns the reason why a specification is invalid, or "" if it is valid.
-std::string validation_error(const HandSpec& shape);
+/// The keys that both share.
+template <class Fields, class Spec>
+void add_common_fields(Fields& f, Spec& o) {
+  f("velocity", o.velocity, bounds::kJointVelocity);
+  f("acceleration", o.acceleration, bounds::kJointAcceleration);
+  f("jerk", o.jerk, bounds::kJointJerk);
+  f("radius", o.radius, bounds::kLength);
+}
+template <class Fields>
+void fields(Fields& f, ArmSpec& o) {
+  f.required("joints", o.joints, KeyBounds{6, 60});
+  f.required("length", o.length, bounds::kPositiveLength);
+  f("limit", o.limit, bounds::kPositiveAngle);
+  add_common_fields(f, o);
+}
+template <class Fields>
+void fields(Fields& f, HandSpec& o) {
+  f.required("fingers", o.fingers, KeyBounds{3, 12});
+  f.required("length", o.length, bounds::kPositiveLength);
+  f.required("breadth", o.breadth, bounds::kPositiveLength);
+  add_common_fields(f, o);
+}
 
 }  // namespace morphe::robot

@@ -32,7 +32,7 @@ void read_matrix(const config::ConfigNode& node, Pose& pose) {
   if (rows.size() != 3 && rows.size() != 4) node.fail("must have 3 rows of 3 or 4 rows of 4");
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   for (int r = 0; r < std::ssize(rows); ++r) {
-    const std::vector<double> values = rows[r].numbers();
+    const std::vector<double> values = rows[r].numbers(bounds::kCoordinate);
     if (values.size() != rows.size())
       rows[r].fail(fmt::format("must have {} numbers, not {}", rows.size(), values.size()));
     for (int c = 0; c < std::ssize(values); ++c) matrix(r, c) = values[c];
@@ -49,14 +49,14 @@ Pose read_mount(const config::ConfigNode& node) {
   const int rotations = node.has("rpy") + node.has("quaternion") + node.has("matrix");
   if (rotations > 1) node.fail("must have only one of rpy, quaternion and matrix");
   if (node.has("rpy")) {
-    const Vec3 angles = node["rpy"].vec3();
+    const Vec3 angles = node["rpy"].vec3(bounds::kAngle);
     pose.linear() = (Eigen::AngleAxisd(angles.z(), Vec3::UnitZ()) *
                      Eigen::AngleAxisd(angles.y(), Vec3::UnitY()) *
                      Eigen::AngleAxisd(angles.x(), Vec3::UnitX()))
                         .toRotationMatrix();
   } else if (node.has("quaternion")) {
     const config::ConfigNode quaternion = node["quaternion"];
-    const std::vector<double> wxyz = quaternion.numbers();
+    const std::vector<double> wxyz = quaternion.numbers(bounds::kUnit);
     if (wxyz.size() != 4) quaternion.fail(fmt::format("must have 4 numbers, not {}", wxyz.size()));
     const Quat rotation(wxyz[0], wxyz[1], wxyz[2], wxyz[3]);
     if (std::abs(rotation.norm() - 1) > kOrthonormalTolerance)
@@ -68,7 +68,7 @@ Pose read_mount(const config::ConfigNode& node) {
   if (node.has("position")) {
     if (!pose.translation().isZero(0))
       node["position"].fail("is already given by the matrix; remove one");
-    pose.translation() = node["position"].vec3();
+    pose.translation() = node["position"].vec3(bounds::kCoordinate);
   }
   return pose;
 }

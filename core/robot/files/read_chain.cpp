@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/robot/files/assembly.hpp"
+#include "core/robot/files/limit_bounds.hpp"
 #include "core/robot/forward_kinematics.hpp"
 
 namespace morphe::robot {
@@ -10,17 +11,11 @@ namespace {
 
 constexpr double kParallelSine = 1e-6;  ///< of the angle below which an axis is along the link
 
-double read_positive(const config::ConfigNode& node) {
-  const double value = node.number();
-  if (value <= 0) node.fail("must be above 0");
-  return value;
-}
-
 JointLimits read_limits(const config::ConfigNode& row) {
-  const double lower = row["lower"].number(), upper = row["upper"].number();
+  const auto read = [&](const char* key) { return row[key].number(limit_bounds(key)); };
+  const double lower = read("lower"), upper = read("upper");
   if (lower >= upper) row["upper"].fail("must be above lower");
-  return {lower, upper, read_positive(row["velocity"]), read_positive(row["acceleration"]),
-          read_positive(row["jerk"])};
+  return {lower, upper, read("velocity"), read("acceleration"), read("jerk")};
 }
 
 void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
@@ -31,25 +26,25 @@ void read_coupling(const config::ConfigNode& couple, const FileScope& scope,
     if (driver.text() == joint) driver.fail("is the joint itself; name another joint");
     driver.fail(fmt::format("there is no actuated joint '{}' before this one", driver.text()));
   }
-  if (couple.has("ratio")) frame.ratio = couple["ratio"].number();
+  if (couple.has("ratio")) frame.ratio = couple["ratio"].number(bounds::kCoupling);
   if (frame.ratio == 0) couple["ratio"].fail("must not be 0");
-  if (couple.has("offset")) frame.offset += couple["offset"].number();
+  if (couple.has("offset")) frame.offset += couple["offset"].number(bounds::kJointPosition);
 }
 
 void read_coupled_limit(const config::ConfigNode& row, int frame, RobotModel& table) {
   RobotModel::CoupledLimit limit;
   limit.frame = frame;
   bool is_limited = false;
-  const auto read = [&](const char* key, double& value, bool positive) {
+  const auto read = [&](const char* key, double& value) {
     if (!row.has(key)) return;
-    value = positive ? read_positive(row[key]) : row[key].number();
+    value = row[key].number(limit_bounds(key));
     is_limited = true;
   };
-  read("lower", limit.lower, false);
-  read("upper", limit.upper, false);
-  read("velocity", limit.velocity, true);
-  read("acceleration", limit.acceleration, true);
-  read("jerk", limit.jerk, true);
+  read("lower", limit.lower);
+  read("upper", limit.upper);
+  read("velocity", limit.velocity);
+  read("acceleration", limit.acceleration);
+  read("jerk", limit.jerk);
   if (limit.lower >= limit.upper) row["upper"].fail("must be above lower");
   if (is_limited) table.coupled_limits.push_back(limit);
 }
@@ -100,8 +95,8 @@ void read_chain(Assembly& assembly, const FileScope& scope, DhConvention convent
   if (node.has("convention")) convention = read_convention(node["convention"]);
   Chain chain{full_name, name.text() == "arm", {}, {}, read_mount_point(assembly, scope, node)};
   for (const config::ConfigNode& row : node["joints"].items()) {
-    const DhRow dh{row["theta"].number(), row["d"].number(), row["a"].number(),
-                   row["alpha"].number()};
+    const DhRow dh{row["theta"].number(bounds::kAngle), row["d"].number(bounds::kSignedLength),
+                   row["a"].number(bounds::kSignedLength), row["alpha"].number(bounds::kAngle)};
     const DhLink link = dh_link(convention, dh);
     RobotModel::Frame frame;
     frame.parent = chain.end.frame;

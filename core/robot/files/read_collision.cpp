@@ -35,10 +35,9 @@ void read_capsule(Assembly& assembly, const FileScope& scope, const config::Conf
   if (std::ranges::count(assembly.table.capsules, capsule.name, &RobotModel::Capsule::name) > 0)
     node["name"].fail(fmt::format("a capsule '{}' already exists", capsule.name));
   capsule.frame = mount.frame;
-  capsule.from = mount.frame_from_mount * node["from"].vec3();
-  capsule.to = mount.frame_from_mount * node["to"].vec3();
-  capsule.radius = node["radius"].number();
-  if (capsule.radius <= 0) node["radius"].fail("must be above 0");
+  capsule.from = mount.frame_from_mount * node["from"].vec3(bounds::kCoordinate);
+  capsule.to = mount.frame_from_mount * node["to"].vec3(bounds::kCoordinate);
+  capsule.radius = node["radius"].number(bounds::kPositiveLength);
   assembly.table.capsules.push_back(std::move(capsule));
 }
 

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/robot/files/limit_bounds.hpp"
 #include "core/robot/files/robot_file.hpp"
 #include "core/robot/files/urdf_joints.hpp"
 
@@ -94,17 +95,17 @@ struct Reader {
   /// the one that the description gives for all joints.
   std::optional<double> limit_value(const UrdfJoint& joint, const char* key,
                                     std::optional<double> written = std::nullopt) const {
+    const KeyBounds& bounds = limit_bounds(key);
     const auto entry = own.find(joint.name);
-    if (entry != own.end() && entry->second.has(key)) return entry->second[key].number();
+    if (entry != own.end() && entry->second.has(key)) return entry->second[key].number(bounds);
     if (written) return written;
-    if (node.has(key)) return node[key].number();
+    if (node.has(key)) return node[key].number(bounds);
     return std::nullopt;
   }
 
   void read_limit_overrides() {
-    for (const char* key : {"velocity", "acceleration", "jerk"}) {
-      if (node.has(key) && !(node[key].number() > 0)) node[key].fail("must be above 0");
-    }
+    for (const char* key : {"velocity", "acceleration", "jerk"})
+      if (node.has(key)) node[key].number(limit_bounds(key));
     for (const config::ConfigNode& entry : optional_items(node, "limits")) {
       assembly.problems.attempt([&] {
         const UrdfJoint* joint = find_joint(tree, entry["joint"].text());
@@ -181,12 +182,10 @@ struct Reader {
     const config::ConfigNode braking = entry->second["braking"];
     RobotModel::BrakingCurve curve;
     curve.joint = index;
-    curve.twice_deceleration = braking["twice_deceleration"].number();
-    curve.velocity_offset = braking["velocity_offset"].number();
-    curve.lower_end = braking["lower_end"].number();
-    curve.upper_end = braking["upper_end"].number();
-    if (!(curve.twice_deceleration > 0)) braking["twice_deceleration"].fail("must be above 0");
-    if (!(curve.velocity_offset >= 0)) braking["velocity_offset"].fail("must not be negative");
+    curve.twice_deceleration = braking["twice_deceleration"].number(bounds::kJointAcceleration);
+    curve.velocity_offset = braking["velocity_offset"].number(bounds::kSpeedOffset);
+    curve.lower_end = braking["lower_end"].number(bounds::kJointPosition);
+    curve.upper_end = braking["upper_end"].number(bounds::kJointPosition);
     assembly.table.braking_curves.push_back(curve);
   }
 
@@ -299,8 +298,8 @@ Pose pose_of(const urdf::Pose& pose) {
 
 void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& node) {
   const std::filesystem::path file = node.folder() / node["file"].text();
-  const files::XmlText text = read_urdf_text(file);
-  assembly.files.push_back(file);
+  const files::XmlText text = read_urdf_text(file, node.given());
+  assembly.files.push_back(text.file);
   UrdfTree tree = urdf_tree(text);
   const urdf::ModelInterfaceSharedPtr model = parse_with_urdfdom(text);
   Reader reader{assembly, scope, node, text, *model, std::move(tree), {}};
@@ -322,7 +321,8 @@ void read_urdf(Assembly& assembly, FileScope& scope, const config::ConfigNode& n
   };
   shapes_of(reader.tree.root);
   for (const UrdfJoint& joint : reader.tree.joints) shapes_of(joint.child);
-  if (node.has("srdf")) read_srdf(assembly, scope, node.folder() / node["srdf"].text());
+  if (node.has("srdf"))
+    read_srdf(assembly, scope, node.folder() / node["srdf"].text(), node.given());
 }
 
 }  // namespace morphe::robot

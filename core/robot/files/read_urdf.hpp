@@ -25,6 +25,7 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
 
 /// Reads the disabled pairs of links of an SRDF: collisions between the capsules of both links are
 /// allowed, whichever file the capsules come from. Pairs with an unknown link are noted.
-void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file);
+void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file,
+               const files::GivenFiles* given);
 
 }  // namespace morphe::robot

@@ -28,8 +28,8 @@ bool may_be_yaml(std::string_view head) {
 
 }  // namespace
 
-RobotFile robot_file_kind(const std::filesystem::path& file) {
-  const std::string head = files::read_file_head(file);
+RobotFile robot_file_kind(const std::filesystem::path& file, const files::GivenFiles* given) {
+  const std::string head = files::read_file_head(file, given);
   const std::string root = files::xml_root_name(head);
   if (root == "robot") return RobotFile::urdf;
   if (root == "mujoco") return RobotFile::mjcf;
@@ -39,14 +39,14 @@ RobotFile robot_file_kind(const std::filesystem::path& file) {
       fmt::format("{}: is {}; {}", file.string(), kind->name, advice_for(*kind, root)));
 }
 
-files::XmlText read_urdf_text(const std::filesystem::path& file) {
-  if (robot_file_kind(file) == RobotFile::mjcf) {
+files::XmlText read_urdf_text(const std::filesystem::path& file, const files::GivenFiles* given) {
+  if (robot_file_kind(file, given) == RobotFile::mjcf) {
     throw InputError(
         fmt::format("{0}: is a model of MuJoCo (MJCF), not a URDF; convert it first: morphe robot "
                     "setup {0} --out OUT.yaml writes OUT.urdf",
                     file.string()));
   }
-  return files::XmlText(file, "robot");
+  return files::XmlText(file, "robot", given);
 }
 
 }  // namespace morphe::robot

@@ -1,11 +1,16 @@
 #include "core/robot/files/robot_schema.hpp"
 
+#include <map>
+#include <string>
+
+#include "core/robot/files/generated_specs.hpp"
+#include "core/robot/files/limit_bounds.hpp"
+
 namespace morphe::robot {
 namespace {
 
 using config::boolean_schema;
 using config::enum_schema;
-using config::integer_schema;
 using config::list_schema;
 using config::number_schema;
 using config::object_schema;
@@ -13,13 +18,11 @@ using config::scalar_schema;
 using config::Schema;
 using config::SchemaKey;
 
-Schema positive_schema() {
-  Schema schema = number_schema();
-  schema["exclusiveMinimum"] = 0;
-  return schema;
-}
+Schema vector_schema(const KeyBounds& bounds) { return list_schema(number_schema(bounds), 3); }
 
-Schema vector_schema() { return list_schema(number_schema(), 3); }
+SchemaKey limit_key(const char* name, const char* description) {
+  return {name, number_schema(limit_bounds(name)), description};
+}
 
 SchemaKey convention_key() {
   return {"convention", enum_schema({"modified", "standard"}),
@@ -33,19 +36,19 @@ SchemaKey parent_key() {
 
 SchemaKey mount_key() {
   return {"mount",
-          object_schema({{"position", vector_schema(), "x, y, z [m]"},
-                         {"rpy", vector_schema(), "Rz(yaw) Ry(pitch) Rx(roll), fixed axes [rad]"},
-                         {"quaternion", list_schema(number_schema(), 4), "w, x, y, z"},
-                         {"matrix", list_schema(list_schema(number_schema())),
+          object_schema({{"position", vector_schema(bounds::kCoordinate), "x, y, z [m]"},
+                         {"rpy", vector_schema(bounds::kAngle),
+                          "Rz(yaw) Ry(pitch) Rx(roll), fixed axes [rad]"},
+                         {"quaternion", list_schema(number_schema(bounds::kUnit), 4), "w, x, y, z"},
+                         {"matrix", list_schema(list_schema(number_schema(bounds::kCoordinate))),
                           "3 rows of 3 numbers, or 4 of 4"}}),
           "pose in its parent: position and one of rpy, quaternion and matrix"};
 }
 
 /// Returns the keys of rate limits, which are not required because other keys can replace them.
 std::vector<SchemaKey> rate_keys() {
-  return {{"velocity", positive_schema(), "[rad/s]"},
-          {"acceleration", positive_schema(), "[rad/s^2]"},
-          {"jerk", positive_schema(), "[rad/s^3]"}};
+  return {limit_key("velocity", "[rad/s]"), limit_key("acceleration", "[rad/s^2]"),
+          limit_key("jerk", "[rad/s^3]")};
 }
 
 void append(const std::vector<SchemaKey>& added, std::vector<SchemaKey>& keys) {
@@ -53,8 +56,8 @@ void append(const std::vector<SchemaKey>& added, std::vector<SchemaKey>& keys) {
 }
 
 void append_limits(std::vector<SchemaKey>& keys) {
-  keys.push_back({"lower", number_schema(), "[rad], [m] if prismatic"});
-  keys.push_back({"upper", number_schema(), "[rad], [m] if prismatic"});
+  keys.push_back(limit_key("lower", "[rad], [m] if prismatic"));
+  keys.push_back(limit_key("upper", "[rad], [m] if prismatic"));
   append(rate_keys(), keys);
 }
 
@@ -62,14 +65,16 @@ Schema joint_schema() {
   std::vector<SchemaKey> keys = {
       {"name", scalar_schema(), "name of the joint and of the frame after it", true},
       {"type", enum_schema({"revolute", "prismatic"}), "prismatic joints move along z"},
-      {"theta", number_schema(), "offset of a revolute joint [rad]", true},
-      {"d", number_schema(), "along z [m]", true},
-      {"a", number_schema(), "along x [m]", true},
-      {"alpha", number_schema(), "about x [rad]", true},
+      {"theta", number_schema(bounds::kAngle), "offset of a revolute joint [rad]", true},
+      {"d", number_schema(bounds::kSignedLength), "along z [m]", true},
+      {"a", number_schema(bounds::kSignedLength), "along x [m]", true},
+      {"alpha", number_schema(bounds::kAngle), "about x [rad]", true},
       {"couple",
-       object_schema({{"joint", scalar_schema(), "an earlier actuated joint", true},
-                      {"ratio", number_schema(), "angle per angle of the other joint"},
-                      {"offset", number_schema(), "angle when the other joint is at 0 [rad]"}}),
+       object_schema(
+           {{"joint", scalar_schema(), "an earlier actuated joint", true},
+            {"ratio", number_schema(bounds::kCoupling), "angle per angle of the other joint"},
+            {"offset", number_schema(bounds::kJointPosition),
+             "angle when the other joint is at 0 [rad]"}}),
        "coupling to another joint, in place of own limits"}};
   append_limits(keys);
   return object_schema(keys);
@@ -86,41 +91,46 @@ Schema chain_schema() {
 }
 
 Schema generate_schema() {
-  std::vector<SchemaKey> arm = {
-      {"joints", integer_schema(), "6 to 60", true},
-      {"length", positive_schema(), "from shoulder to wrist [m]", true},
-      {"limit", positive_schema(), "limit of each joint in both directions [rad]"}};
-  std::vector<SchemaKey> hand = {
-      {"fingers", integer_schema(), "3 to 12, the thumb included", true},
-      {"length", positive_schema(), "from the wrist to the middle fingertip [m]", true},
-      {"breadth", positive_schema(), "across the knuckles [m]", true}};
-  for (std::vector<SchemaKey>* keys : {&arm, &hand}) {
-    append(rate_keys(), *keys);
-    keys->push_back(
-        {"radius", number_schema(), "radius of a capsule along each link [m]; 0: none"});
-  }
-  return object_schema({{"arm", object_schema(arm), "an arm of n joints, as in the paper"},
-                        {"hand", object_schema(hand), "a hand of m fingers"}});
+  const config::KeyDescriptions meaning = [](const std::string& type, const std::string& key) {
+    static const std::map<std::string, std::string> kMeanings = {
+        {"ArmSpec.joints", "6 to 60"},
+        {"ArmSpec.length", "from shoulder to wrist [m]"},
+        {"ArmSpec.limit", "limit of each joint in both directions [rad]"},
+        {"HandSpec.fingers", "3 to 12, the thumb included"},
+        {"HandSpec.length", "from the wrist to the middle fingertip [m]"},
+        {"HandSpec.breadth", "across the knuckles [m]"},
+        {"velocity", "[rad/s]"},
+        {"acceleration", "[rad/s^2]"},
+        {"jerk", "[rad/s^3]"},
+        {"radius", "radius of a capsule along each link [m]; 0: none"}};
+    const auto own = kMeanings.find(type + "." + key);
+    return own == kMeanings.end() ? kMeanings.at(key) : own->second;
+  };
+  return object_schema(
+      {{"arm", config::schema_of<ArmSpec>(meaning), "an arm of n joints, as in the paper"},
+       {"hand", config::schema_of<HandSpec>(meaning), "a hand of m fingers"}});
 }
 
 Schema urdf_schema() {
   std::vector<SchemaKey> limits = {{"joint", scalar_schema(), "joint of the URDF", true}};
   append_limits(limits);
-  limits.push_back({"braking",
-                    object_schema({{"twice_deceleration", number_schema(), "[rad/s^2]", true},
-                                   {"velocity_offset", number_schema(), "[rad/s]", true},
-                                   {"lower_end", number_schema(), "[rad]", true},
-                                   {"upper_end", number_schema(), "[rad]", true}}),
-                    "a velocity limit that decreases towards the position limits"});
+  limits.push_back(
+      {"braking",
+       object_schema(
+           {{"twice_deceleration", number_schema(bounds::kJointAcceleration), "[rad/s^2]", true},
+            {"velocity_offset", number_schema(bounds::kSpeedOffset), "[rad/s]", true},
+            {"lower_end", number_schema(bounds::kJointPosition), "[rad]", true},
+            {"upper_end", number_schema(bounds::kJointPosition), "[rad]", true}}),
+       "a velocity limit that decreases towards the position limits"});
   limits.push_back({"enforce_position_limits", boolean_schema(),
                     "false: ignore the position limits of a coupled joint"});
   return object_schema(
       {{"file", scalar_schema(), "relative to this file", true},
        {"srdf", scalar_schema(), "SRDF whose disabled collisions are used"},
        {"shapes", enum_schema({"use", "ignore"}), "whether to use its collision elements"},
-       {"velocity", positive_schema(), "used where the URDF gives none [rad/s]"},
-       {"acceleration", positive_schema(), "used where the URDF gives none [rad/s^2]"},
-       {"jerk", positive_schema(), "used where the URDF gives none [rad/s^3]"},
+       limit_key("velocity", "used where the URDF gives none [rad/s]"),
+       limit_key("acceleration", "used where the URDF gives none [rad/s^2]"),
+       limit_key("jerk", "used where the URDF gives none [rad/s^3]"),
        {"limits", list_schema(object_schema(limits)), "they override those of the URDF"}});
 }
 
@@ -128,11 +138,12 @@ Schema collision_schema() {
   const Schema pairs = list_schema(list_schema(scalar_schema(), 2));
   return object_schema(
       {{"capsules",
-        list_schema(object_schema({{"name", scalar_schema(), "", true},
-                                   {"frame", scalar_schema(), "a frame, link or chain", true},
-                                   {"from", vector_schema(), "in its frame [m]", true},
-                                   {"to", vector_schema(), "in its frame [m]", true},
-                                   {"radius", positive_schema(), "[m]", true}})),
+        list_schema(
+            object_schema({{"name", scalar_schema(), "", true},
+                           {"frame", scalar_schema(), "a frame, link or chain", true},
+                           {"from", vector_schema(bounds::kCoordinate), "in its frame [m]", true},
+                           {"to", vector_schema(bounds::kCoordinate), "in its frame [m]", true},
+                           {"radius", number_schema(bounds::kPositiveLength), "[m]", true}})),
         "the robot's body"},
        {"allowed_links", pairs, "pairs of links or frames whose collisions are not checked"},
        {"allowed_collision_pairs", pairs,
@@ -147,14 +158,15 @@ Schema finger_schema() {
 }
 
 Schema tip_schema() {
-  return object_schema(
-      {{"name", scalar_schema(), "", true},
-       {"chain", scalar_schema(), "the chain at whose end the tip is"},
-       {"frame", scalar_schema(), "in place of a chain"},
-       mount_key(),
-       {"finger", finger_schema(), "human finger that it follows"},
-       {"finger_curve_share", number_schema(), "in place of finger: 0 (index) to 1 (little)"},
-       {"pad_depth", number_schema(), "from the pad's surface to the finger's axis [m]"}});
+  return object_schema({{"name", scalar_schema(), "", true},
+                        {"chain", scalar_schema(), "the chain at whose end the tip is"},
+                        {"frame", scalar_schema(), "in place of a chain"},
+                        mount_key(),
+                        {"finger", finger_schema(), "human finger that it follows"},
+                        {"finger_curve_share", number_schema(bounds::kShare),
+                         "in place of finger: 0 (index) to 1 (little)"},
+                        {"pad_depth", number_schema(bounds::kLength),
+                         "from the pad's surface to the finger's axis [m]"}});
 }
 
 }  // namespace
@@ -179,8 +191,9 @@ Schema robot_schema() {
             object_schema({{"name", scalar_schema(), "", true}, parent_key(), mount_key()})),
         "fixed frames"},
        {"fixed_joints",
-        list_schema(object_schema({{"joint", scalar_schema(), "", true},
-                                   {"position", number_schema(), "[rad], [m] if prismatic"}})),
+        list_schema(object_schema(
+            {{"joint", scalar_schema(), "", true},
+             {"position", number_schema(bounds::kJointPosition), "[rad], [m] if prismatic"}})),
         "joints fixed at a position"},
        {"shoulder", scalar_schema(), "frame; default: the arm's first joint"},
        {"palm", scalar_schema(),
@@ -188,10 +201,11 @@ Schema robot_schema() {
        {"tips", list_schema(tip_schema()), "fingertips: z along the last bone, x out of the pad"},
        {"side", enum_schema({"right", "left"}), "side of the hand"},
        {"natural_posture",
-        list_schema(object_schema(
-            {{"joint", scalar_schema(), "a joint that no goal determines", true},
-             {"follow", scalar_schema(), "a joint whose value it copies"},
-             {"value", number_schema(), "value, or offset to the joint in follow [rad]"}})),
+        list_schema(
+            object_schema({{"joint", scalar_schema(), "a joint that no goal determines", true},
+                           {"follow", scalar_schema(), "a joint whose value it copies"},
+                           {"value", number_schema(bounds::kJointPosition),
+                            "value, or offset to the joint in follow [rad]"}})),
         "natural posture, unless a config gives one"},
        {"joint_centres",
         list_schema(object_schema(

@@ -132,9 +132,10 @@ void add_link_shapes(Assembly& assembly, const files::XmlText& text, const urdf:
   }
 }
 
-void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file) {
-  const files::XmlText text = read_urdf_text(file);
-  assembly.files.push_back(file);
+void read_srdf(Assembly& assembly, const FileScope& scope, const std::filesystem::path& file,
+               const files::GivenFiles* given) {
+  const files::XmlText text = read_urdf_text(file, given);
+  assembly.files.push_back(text.file);
   for (const files::XmlElement* pair : files::children(text.root(), "disable_collisions")) {
     std::array<int, 2> frames{};
     bool known = true;

@@ -109,7 +109,10 @@ function certificateOf(row) {
     return [build("dt", {}, heading), ...texts.map((text) => build("dd", {}, plainText(text)))];
   });
   if (clearances.length === 0 && kinds.length === 0) return [];
-  const certified = row.status === "infeasible"
+  const unverified = report.runs[row.run].not_verified;
+  const certified = unverified
+    ? [build("dd", {}, "not verified: the file ", plainText(unverified))]
+    : row.status === "infeasible"
     ? [build("dd", {}, "no trajectory, hence no certificate")]
     : [build("dd", {}, "limits, collisions and tracking, along the curve and between its samples"),
        build("dd", {}, build("ul", {}, ...clearances))];

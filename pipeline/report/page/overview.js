@@ -69,6 +69,8 @@ function buildOverview(host) {
   const counts = buildCounts();
   const histograms = measures.map(buildHistogram);
   host.replaceChildren(
+    ...report.runs.filter(({ not_verified }) => not_verified).map(({ name, not_verified }) =>
+      build("p", { class: "warning", role: "alert" }, "Not verified: ", plainText(name), " ", plainText(not_verified))),
     ...report.runs.filter(({ left_out }) => left_out).map(({ left_out }) =>
       build("p", { class: "warning" }, plainText(left_out))),
     counts.section,

@@ -56,6 +56,7 @@ function buildRun(run, index) {
   const title = build("h3", {}, build("span", { class: runClass(index), "aria-hidden": "true" }),
       buildName(run.name || run.file));
   return build("article", { class: "run-card" }, title,
+      run.not_verified ? build("p", { class: "warning" }, "Not verified: this file ", plainText(run.not_verified)) : null,
       run.left_out ? build("p", { class: "warning" }, shortText(run.left_out)) : null,
       unchecked.length > 0
         ? build("p", { class: "warning" }, "Contacts are not checked for: ", ...joinedNames(unchecked)) : null,

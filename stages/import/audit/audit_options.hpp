@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/recording_flag.hpp"
 
 namespace morphe::imports {
@@ -22,10 +23,8 @@ struct AuditOptions {
 template <class Fields>
 void fields(Fields& f, AuditOptions& o) {
   f("refuse", o.refuse);
-  f("max_missing_goal_share", o.max_missing_goal_share);
-  f("max_goal_gap_s", o.max_goal_gap_s);
+  f("max_missing_goal_share", o.max_missing_goal_share, bounds::kShareBelow1);
+  f("max_goal_gap_s", o.max_goal_gap_s, bounds::kDuration);
 }
-/// Returns a sentence about the first invalid option, or "" if all are valid.
-std::string validation_error(const AuditOptions& options);
 
 }  // namespace morphe::imports

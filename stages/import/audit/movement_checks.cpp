@@ -5,12 +5,6 @@
 
 namespace morphe::imports {
 
-std::string validation_error(const AuditOptions& options) {
-  if (!(options.max_missing_goal_share >= 0 && options.max_missing_goal_share < 1))
-    return "max_missing_goal_share must be at least 0 and less than 1";
-  return options.max_goal_gap_s >= 0 ? "" : "max_goal_gap_s must not be negative";
-}
-
 void accept_flags(const Demonstration& recording, std::vector<RecordingFlag>& flags) {
   const std::vector<AcceptedFlag>& accepted = recording.accepted_flags;
   for (RecordingFlag& flag : flags) {

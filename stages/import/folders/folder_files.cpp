@@ -23,6 +23,7 @@ bool is_plain_text(const std::string& name) {
 
 struct FolderWalk {
   const fs::path& results;
+  fs::path root;  ///< with links resolved
   FolderFiles found;
   std::set<fs::path> entered;  ///< folders with links resolved
 
@@ -34,6 +35,7 @@ struct FolderWalk {
     std::error_code error;
     const fs::path real = fs::canonical(folder, error);
     if (error) return skip(folder, error.message(), true);
+    if (root.empty()) root = real;
     if (!entered.insert(real).second) {
       return skip(folder, fs::is_symlink(folder, error)
                               ? "link to a folder that was already searched"
@@ -49,12 +51,23 @@ struct FolderWalk {
     for (const fs::path& path : paths) visit(path);
   }
 
+  /// Returns true for a link to a place that is not below the folder.
+  bool leads_out(const fs::path& path) const {
+    std::error_code error;
+    if (!fs::is_symlink(path, error)) return false;
+    const fs::path relative = fs::canonical(path, error).lexically_relative(root);
+    return !error && (relative.empty() || *relative.begin() == "..");
+  }
+
   void visit(const fs::path& path) {
     std::error_code error;
     const std::string name = path.filename().string();
     if (name.starts_with('.')) return skip(path, "hidden");
     if (!is_plain_text(name))
       return skip(path, "its name contains control characters or is not UTF-8", true);
+    if (leads_out(path))
+      return skip(path, "link out of the folder; copy what it leads to, or import that itself",
+                  true);
     const fs::file_status status = fs::status(path, error);
     if (fs::is_directory(status)) {
       if (!results.empty() && fs::equivalent(path, results, error))
@@ -74,7 +87,7 @@ struct FolderWalk {
 }  // namespace
 
 FolderFiles list_files(const fs::path& folder, const fs::path& results) {
-  FolderWalk walk{results, {}, {}};
+  FolderWalk walk{results, {}, {}, {}};
   walk.enter(folder);
   if (!walk.found.left_out.empty() && walk.found.left_out.front().file == folder) {
     throw InputError(

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "core/config/fields.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "core/motion/movement.hpp"
 
 namespace morphe::imports {
@@ -26,17 +27,17 @@ void shared_fields(Fields& f, ManifestEntry& e) {
   f("axes", e.conventions.axes);
   f("forward", e.conventions.forward);
   f("unit", e.conventions.unit);
-  f("rate_hz", e.conventions.rate_hz);
+  f("rate_hz", e.conventions.rate_hz, bounds::kRate);
   f("joint_order", e.conventions.joint_order);
   f("subject", e.subject);
   f("task", e.task);
   f("hand", e.hand);
   f("source", e.source);
   f("licence", e.licence);
-  f("upper_arm", e.upper_arm);
-  f("forearm", e.forearm);
-  f("hand_length", e.hand_length);
-  f("hand_breadth", e.hand_breadth);
+  f("upper_arm", e.upper_arm, bounds::kBone);
+  f("forearm", e.forearm, bounds::kBone);
+  f("hand_length", e.hand_length, bounds::kBone);
+  f("hand_breadth", e.hand_breadth, bounds::kBone);
   f("objects", e.objects);
   f("accept", e.accept);
 }
@@ -52,8 +53,8 @@ void own_fields(Fields& f, ManifestEntry& e) {
 template <class Fields>
 void label_keys(Fields& f, Label& label) {
   f.required("phase", label.phase);
-  f.required("begin_s", label.begin_s);
-  f.required("end_s", label.end_s);
+  f.required("begin_s", label.begin_s, bounds::kClockTime);
+  f.required("end_s", label.end_s, bounds::kClockTime);
 }
 
 std::vector<Label> read_labels(const config::ConfigNode& node, config::ErrorList& problems) {
@@ -76,19 +77,19 @@ std::string list_item(std::string fields, std::size_t indent) {
 struct NonDefaultFields {
   config::FieldWriter& out;
 
-  template <class T>
-  void operator()(const char* key, T& value) {
+  template <class T, class... Bounds>
+  void operator()(const char* key, T& value, const Bounds&... bounds) {
     if constexpr (requires { value.empty(); }) {
       if (value.empty()) return;
     }
     if constexpr (std::is_same_v<T, ForwardSource>) {
       if (value == ForwardSource::body) return;
     }
-    out(key, value);
+    out(key, value, bounds...);
   }
-  template <class T>
-  void required(const char* key, T& value) {
-    out(key, value);
+  template <class T, class... Bounds>
+  void required(const char* key, T& value, const Bounds&... bounds) {
+    out(key, value, bounds...);
   }
 };
 
@@ -117,16 +118,6 @@ std::vector<ManifestEntry> read_manifest(const std::filesystem::path& file) {
     config::FieldReader reader(item, problems);
     own_fields(reader, entry);
     if (item.has("labels")) entry.labels = read_labels(item["labels"], problems);
-    using Positive = std::pair<const char*, std::optional<double>>;
-    for (const auto& [key, value] : {Positive{"upper_arm", entry.upper_arm},
-                                     {"forearm", entry.forearm},
-                                     {"hand_length", entry.hand_length},
-                                     {"hand_breadth", entry.hand_breadth},
-                                     {"rate_hz", entry.conventions.rate_hz}}) {
-      if (!value || *value > 0) continue;
-      problems.attempt(
-          [&, key = key] { (item.has(key) ? item : root)[key].fail("must be positive"); });
-    }
     for (std::string* path : paths_of(entry)) {
       if (!path->empty() || path == &entry.file) *path = (file.parent_path() / *path).string();
     }
@@ -179,8 +170,8 @@ config::Schema manifest_schema(const config::KeyDescriptions& meanings) {
   constexpr const char* kTable = "ManifestEntry";
   ManifestEntry entry;
   Label label;
-  config::FieldSchema all(kTable, meanings, false, {}), own(kTable, meanings, false, {}),
-      labels(kTable, meanings, false, {});
+  config::FieldSchema all(kTable, meanings, false), own(kTable, meanings, false),
+      labels(kTable, meanings, false);
   shared_fields(all, entry);
   own_fields(own, entry);
   label_keys(labels, label);

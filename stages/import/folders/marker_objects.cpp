@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/files/item_name.hpp"
 #include "core/math/rigid.hpp"
 #include "core/math/rotation.hpp"
 #include "core/motion/count_with_noun.hpp"
@@ -86,16 +87,16 @@ Eigen::Matrix3d object_axes(const Points& shape) {
 }  // namespace
 
 std::string validation_error(const MarkerObject& object) {
+  if (!files::is_item_name(object.name)) return fmt::format("name: {}", files::kItemNameError);
   const std::optional<Shape> shape = enum_from_name<Shape>(object.shape);
   if (!shape || *shape == Shape::mesh)
     return fmt::format("shape must be sphere, box, cylinder or capsule, not '{}'", object.shape);
   if (object.size.empty())
     return shape == Shape::box ? "" : fmt::format("a {} needs a size", object.shape);
   const std::size_t count = shape == Shape::sphere ? 1 : shape == Shape::box ? 3 : 2;
-  if (object.size.size() != count ||
-      std::ranges::any_of(object.size, [](double length) { return !(length > 0); })) {
-    return fmt::format("the size of a {} must be {} positive lengths", object.shape, count);
-  }
+  if (object.size.size() != count)
+    return fmt::format("the size of a {} must be {}", object.shape,
+                       count_with_noun(count, "length"));
   return "";
 }
 

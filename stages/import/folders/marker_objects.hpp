@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/motion/demonstration.hpp"
+#include "core/motion/key_bounds.hpp"
 
 namespace morphe::imports {
 
@@ -19,7 +20,7 @@ void fields(Fields& f, MarkerObject& o) {
   f.required("name", o.name);
   f.required("markers", o.markers);
   f("shape", o.shape);
-  f("size", o.size);
+  f("size", o.size, bounds::kObjectSize);
 }
 /// Returns a sentence about the first invalid field, or "" if all are valid.
 std::string validation_error(const MarkerObject& object);

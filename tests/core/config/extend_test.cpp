@@ -11,7 +11,7 @@ TEST(ConfigNode, ExtendingTakesWhatIsMissingAndKeepsWhereItStood) {
       ConfigNode::parse("map: {a: 5, b: 2}\nlist: [7, 8]\nfile: x.yaml\n", "base/base.yaml"));
   EXPECT_EQ(node["map"]["a"].integer(), 1);
   EXPECT_EQ(node["map"]["b"].integer(), 2);
-  EXPECT_EQ(node["list"].numbers(), std::vector<double>{1});
+  EXPECT_EQ(node["list"].numbers(bounds::kJointPosition), std::vector<double>{1});
   EXPECT_EQ(node["file"].folder(), "base");
   EXPECT_EQ(node["map"]["a"].folder(), "special");
   node.require_all_keys_read();

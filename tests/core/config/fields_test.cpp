@@ -14,7 +14,7 @@ struct Inner {
 };
 template <class Fields>
 void fields(Fields& f, Inner& o) {
-  f("x", o.x);
+  f("x", o.x, KeyBounds{-10, 10});
   f("names", o.names);
 }
 
@@ -35,20 +35,20 @@ struct Options {
 template <class Fields>
 void fields(Fields& f, Options& o) {
   f("on", o.on);
-  f("count", o.count);
+  f("count", o.count, KeyBounds{0, 1000});
   f("seed", o.seed);
-  f("tolerance", o.tolerance);
+  f("tolerance", o.tolerance, bounds::kPositiveLength);
   f("word", o.word);
-  f("point", o.point);
-  f("numbers", o.numbers);
-  f("rows", o.rows);
-  f("maybe", o.maybe);
-  f("never", o.never);
+  f("point", o.point, KeyBounds{-1e21, 1e21});
+  f("numbers", o.numbers, KeyBounds{0, 10});
+  f("rows", o.rows, KeyBounds{0, 10});
+  f("maybe", o.maybe, bounds::kAngle);
+  f("never", o.never, bounds::kAngle);
   f("inner", o.inner);
   f("list", o.list);
 }
 std::string validation_error(const Options& o) {
-  return o.count < 0 ? "count must not be negative" : "";
+  return o.count == 7 ? "count must not be seven" : "";
 }
 
 struct Strict {
@@ -56,7 +56,7 @@ struct Strict {
 };
 template <class Fields>
 void fields(Fields& f, Strict& o) {
-  f.required("needed", o.needed);
+  f.required("needed", o.needed, bounds::kLength);
 }
 
 template <class T>
@@ -117,7 +117,8 @@ TEST(Fields, ErrorsNameFileLineAndKey) {
             "o.yaml:3: inner.y: unknown key");
   EXPECT_EQ(error_of<Options>("inner: 3"), "o.yaml:1: inner: must be a mapping of keys to values");
   EXPECT_EQ(error_of<Options>("count: 1.5"), "o.yaml:1: count: must be a whole number, not '1.5'");
-  EXPECT_EQ(error_of<Options>("count: 5000000000"), "o.yaml:1: count: is out of range: 5000000000");
+  EXPECT_EQ(error_of<Options>("count: 5000000000"),
+            "o.yaml:1: count: must be at least 0 and at most 1000, not 5000000000");
   EXPECT_EQ(error_of<Options>("seed: -1"),
             "o.yaml:1: seed: must be a whole number from 0 to 2^64 - 1, not '-1'");
   EXPECT_EQ(error_of<Strict>("{}"), "o.yaml:1: needed: is missing");
@@ -139,8 +140,23 @@ TEST(Fields, AllThatIsWrongIsToldAtOnce) {
             "o.yaml:1: neded: unknown key; did you mean 'needed'?");
 }
 
+TEST(Fields, NumbersKeepTheirBounds) {
+  EXPECT_EQ(error_of<Options>("tolerance: 10\ncount: 1000\nmaybe: -100\nrows: [[0, 10]]"), "");
+  EXPECT_EQ(error_of<Options>("tolerance: 0"),
+            "o.yaml:1: tolerance: must be above 0 and at most 10 m, not 0");
+  EXPECT_EQ(error_of<Options>("on: true\nmaybe: 6000 deg"),
+            "o.yaml:2: maybe: must be at least -100 and at most 100 rad, not 6000 deg");
+  EXPECT_EQ(error_of<Options>("numbers: [1, 11]\nrows: [[1], [2, -1]]\nneeded: 1e308"),
+            "o.yaml:1: numbers[1]: must be at least 0 and at most 10, not 11\n"
+            "o.yaml:2: rows[1][1]: must be at least 0 and at most 10, not -1\n"
+            "o.yaml:3: needed: unknown key");
+  EXPECT_EQ(error_of<Strict>("needed: 1e308"),
+            "o.yaml:1: needed: must be at least 0 and at most 10 m, not 1e308");
+  EXPECT_EQ(error_of<Strict>("needed: .nan"), "o.yaml:1: needed: must be a number, not '.nan'");
+}
+
 TEST(Fields, AMessageThatBeginsWithAKeyIsToldOfIt) {
-  EXPECT_EQ(error_of<Options>("on: true\ncount: -1"), "o.yaml:2: count: must not be negative");
+  EXPECT_EQ(error_of<Options>("on: true\ncount: 7"), "o.yaml:2: count: must not be seven");
 }
 
 TEST(Fields, OneThatDoesNotIsToldOfTheSection) {

@@ -34,7 +34,7 @@ TEST(ConfigNode, ReadsEveryKindOfValue) {
   EXPECT_EQ(root["count"].integer(), -7);
   EXPECT_EQ(root["x"].number(), 1.5e-3);
   EXPECT_EQ(root["plus"].number(), 2);
-  EXPECT_EQ(root["point"].vec3(), Vec3(1, 2, 3));
+  EXPECT_EQ(root["point"].vec3(bounds::kCoordinate), Vec3(1, 2, 3));
   EXPECT_THAT(root["names"].texts(), ElementsAre("a", "b"));
   EXPECT_EQ(root["nested"]["deep"]["x"].number(), 4);
   EXPECT_EQ(root["nested"]["deep"]["x"].key(), "nested.deep.x");
@@ -45,8 +45,9 @@ TEST(ConfigNode, ReadsEveryKindOfValue) {
 
 TEST(ConfigNode, DegreesBecomeRadians) {
   const ConfigNode root = parse("angles: [180 deg, -90deg, 1, 0.5 deg]\n");
-  EXPECT_THAT(root["angles"].numbers(), ElementsAre(std::numbers::pi, -std::numbers::pi / 2, 1,
-                                                    0.5 * std::numbers::pi / 180));
+  EXPECT_THAT(
+      root["angles"].numbers(bounds::kJointPosition),
+      ElementsAre(std::numbers::pi, -std::numbers::pi / 2, 1, 0.5 * std::numbers::pi / 180));
 }
 
 TEST(ConfigNode, RefusesWhatIsNoNumber) {
@@ -65,7 +66,8 @@ TEST(ConfigNode, ErrorsNameFileLineAndKey) {
             "a.yaml:3: list[0].y: is missing");
   EXPECT_EQ(error_of([&] { (void)root["a"]["b"]; }),
             "a.yaml:1: a: must be a mapping of keys to values");
-  EXPECT_EQ(error_of([&] { (void)root["list"].vec3(); }).substr(0, 9), "a.yaml:3:");
+  EXPECT_EQ(error_of([&] { (void)root["list"].vec3(bounds::kCoordinate); }).substr(0, 9),
+            "a.yaml:3:");
   EXPECT_EQ(error_of([&] { (void)root["a"].items(); }), "a.yaml:1: a: must be a list");
 }
 
@@ -123,7 +125,7 @@ TEST(ConfigNode, SetReplacesAndAdds) {
   root.set("empty.x", "3 deg");
   EXPECT_EQ(root["map"]["w_x"].number(), 5);
   EXPECT_EQ(root["map"]["w_a"].number(), 1);
-  EXPECT_EQ(root["map"]["start"].vec3(), Vec3(1, 2, 3));
+  EXPECT_EQ(root["map"]["start"].vec3(bounds::kCoordinate), Vec3(1, 2, 3));
   EXPECT_EQ(root["new"]["deep"]["key"].text(), "word");
   EXPECT_DOUBLE_EQ(root["empty"]["x"].number(), 3 * std::numbers::pi / 180);
   EXPECT_NO_THROW(root.require_all_keys_read());

@@ -18,8 +18,8 @@ struct RenamedOptions {
 };
 template <class Fields>
 void fields(Fields& f, RenamedOptions& o) {
-  f("required_clearance", o.required_clearance);
-  f.required("position", o.position);
+  f("required_clearance", o.required_clearance, bounds::kLength);
+  f.required("position", o.position, bounds::kLength);
   f("mode", o.mode);
 }
 

@@ -9,24 +9,15 @@ struct Section {
   double share = 0.5;  ///< in (0, 1]
   double length = 2;   ///< at least 0
   int count = 3;       ///< at least 1
-  double other = 7;    ///< above `share`: a bound that is none of its own
   std::optional<double> maybe;
 };
 template <class Fields>
 void fields(Fields& f, Section& o) {
-  f("share", o.share);
-  f("length", o.length);
-  f("count", o.count);
-  f("other", o.other);
-  f("maybe", o.maybe);
+  f("share", o.share, bounds::kPositiveShare);
+  f("length", o.length, bounds::kLength);
+  f("count", o.count, bounds::kCount);
+  f("maybe", o.maybe, KeyBounds{0, 1, "", true, true});
 }
-std::string validation_error(const Section& o) {
-  if (!(o.share > 0 && o.share <= 1)) return "share";
-  if (!(o.length >= 0)) return "length";
-  if (o.count < 1) return "count";
-  return o.other > o.share ? "" : "other";
-}
-
 struct Item {
   std::string name;
   Vec3 point = Vec3::Zero();
@@ -34,7 +25,7 @@ struct Item {
 template <class Fields>
 void fields(Fields& f, Item& o) {
   f.required("name", o.name);
-  f("point", o.point);
+  f("point", o.point, bounds::kCoordinate);
 }
 
 struct Whole {
@@ -65,15 +56,18 @@ TEST(Schema, HasTypesDefaultsAndMeanings) {
   EXPECT_EQ(item["properties"]["point"]["minItems"], 3);
 }
 
-TEST(Schema, AsksTheStructForItsBounds) {
-  const Schema keys = schema_of<Section>(kMeanings)["properties"];
+TEST(Schema, StatesTheBounds) {
+  const Schema keys = schema_of<Whole>(kMeanings)["properties"]["section"]["properties"];
   EXPECT_EQ(keys["share"]["exclusiveMinimum"], 0);
   EXPECT_EQ(keys["share"]["maximum"], 1);
+  EXPECT_FALSE(keys["share"].contains("minimum"));
   EXPECT_EQ(keys["length"]["minimum"], 0);
-  EXPECT_FALSE(keys["length"].contains("maximum"));
-  EXPECT_EQ(keys["count"]["minimum"], 1);
-  for (const char* bound : {"minimum", "exclusiveMinimum", "maximum", "exclusiveMaximum"})
-    EXPECT_FALSE(keys["other"].contains(bound)) << bound;
+  EXPECT_EQ(keys["length"]["maximum"], 10);
+  EXPECT_EQ(keys["count"]["minimum"].dump(), "1");
+  EXPECT_EQ(keys["count"]["maximum"].dump(), "1000000");
+  EXPECT_EQ(keys["maybe"]["exclusiveMaximum"], 1);
+  const Schema item = schema_of<Whole>(kMeanings)["properties"]["items"]["items"];
+  EXPECT_EQ(item["properties"]["point"]["items"]["maximum"], 20);
 }
 
 TEST(Schema, TellsEveryKeyThatItDoesNotHave) {

@@ -166,5 +166,36 @@ TEST(Quintic, JudgesATrajectoryBetweenItsSamples) {
   EXPECT_DOUBLE_EQ(report.position_margin, 0.25);
 }
 
+/// The acceleration of a cubic Hermite piece is linear, so that it is greatest at an end:
+/// (6 d / h - 4 v0 - 2 v1) / h and (-6 d / h + 2 v0 + 4 v1) / h for the distance d in h seconds.
+TEST(Quintic, ACubicPieceAcceleratesMostAtItsEnds) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  RobotModel robot;
+  robot.joint_names = {"a"};
+  robot.lower = JointVector::Constant(1, -3);
+  robot.upper = JointVector::Constant(1, 3);
+  robot.velocity = JointVector::Constant(1, 2);
+  robot.acceleration = robot.jerk = JointVector::Constant(1, 5);
+  for (int k = 0; k < 100; ++k) {
+    const double h = 0.3, d = any(random), v0 = any(random), v1 = any(random);
+    Trajectory t;
+    t.time = {1, 1 + h};
+    t.position = t.velocity = JointRows::Zero(2, 1);
+    t.acceleration = JointRows::Constant(2, 1, kUnknown);  // is not used
+    t.position(1, 0) = d;
+    t.velocity.col(0) << v0, v1;
+    const double a0 = (6 * d / h - 4 * v0 - 2 * v1) / h, a1 = (-6 * d / h + 2 * v0 + 4 * v1) / h;
+    double speed = std::max(std::abs(v0), std::abs(v1));
+    const double turn_s = -a0 * h / (a1 - a0);  // where the acceleration is zero
+    if (turn_s > 0 && turn_s < h) speed = std::max(speed, std::abs(v0 + a0 * turn_s / 2));
+    const CubicLimitReport use = cubic_limit_report(robot, t);
+    EXPECT_NEAR(use.acceleration.ratio, std::max(std::abs(a0), std::abs(a1)) / 5, 1e-10);
+    EXPECT_NEAR(use.velocity.ratio, speed / 2, 1e-10);
+    EXPECT_NEAR(value_at(cubic_piece(t, 0, 0), h, 0), d, 1e-14);
+    EXPECT_NEAR(value_at(cubic_piece(t, 0, 0), h, 1), v1, 1e-13);
+  }
+}
+
 }  // namespace
 }  // namespace morphe::math

@@ -185,7 +185,7 @@ TEST_F(MoveItText, WrongFilesAreNamedWithTheirPlace) {
   EXPECT_THAT(object_error("{id: a, primitives: [{type: box, dimensions: [1, 2]}]}"),
               HasSubstr("dimensions: must have 3 numbers, not 2"));
   EXPECT_THAT(object_error("{id: a, primitives: [{type: sphere, dimensions: [0]}]}"),
-              HasSubstr("must be positive"));
+              HasSubstr("dimensions[0]: must be above 0 and at most 100 m, not 0"));
   EXPECT_THAT(object_error("{id: a, primitives: [{type: sphere, dimensions: [1]}, {type: sphere, "
                            "dimensions: [1]}], primitive_poses: []}"),
               HasSubstr("2 primitives but 0 primitive_poses"));

@@ -81,7 +81,8 @@ CERTIFICATE = ["joint_limit_margin", "velocity_ratio", "acceleration_ratio", "je
                "log_dimensionless_jerk_robot", "log_dimensionless_jerk_human", "repaired"]
 
 with h5py.File(sys.argv[1]) as file:
-    attributes(file, ["format", "version", "config", "config_sha256", "dataset_sha256", "software", "built_with",
+    attributes(file, ["format", "version", "config", "config_sha256", "dataset_sha256", "settings", "inputs_sha256", "software",
+                      "built_with",
                       "robot"])
     assert text(file.attrs["format"]) == "morphe-plans" and file.attrs["version"] == 3
     assert text(file.attrs["config"]) == "seed: 7\n" + "#" * 100000 + "\n"

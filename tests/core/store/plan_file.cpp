@@ -9,8 +9,10 @@
 namespace morphe::store {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 void expect_same(const RobotModel& a, const RobotModel& b) {
   EXPECT_SAME(name);
@@ -298,6 +300,7 @@ TEST(PlanFile, ReturnsTheHeader) {
   EXPECT_SAME(built_with);
   EXPECT_SAME(dataset_sha256);
   EXPECT_SAME(software);
+  EXPECT_SAME(settings);
   ASSERT_EQ(a.inputs.size(), b.inputs.size());
   for (std::size_t i = 0; i < a.inputs.size(); ++i) {
     EXPECT_SAME(inputs[i].path);
@@ -311,6 +314,28 @@ TEST(PlanFile, SameCallsSameBytes) {
   for (const auto& file : {first, second})
     write_plans(file, {full_plan("b", 0), infeasible_plan("b", 1), full_plan("a", 0)});
   EXPECT_EQ(bytes_of(first), bytes_of(second));
+}
+
+TEST(PlanFile, HasNothingBesideItsContract) {
+  const auto file = fresh_file("plans.h5");
+  std::vector<Plan> plans{full_plan("zz", 0), infeasible_plan("zz", 1), full_plan("aa", 0)};
+  plans[2].delivered = {PhaseKind::release, 3.25};
+  plans[2].reason = Reason::no_path;
+  write_plans(file, plans);
+  const PlanReader reader(file);
+  EXPECT_THAT(reader.contract_faults(), IsEmpty());
+  for (std::size_t i = 0; i < plans.size(); ++i)
+    EXPECT_THAT(reader.contract_faults(i, plans[i]), IsEmpty());
+}
+
+TEST(PlanFile, NamesWhatIsBesideItsContract) {
+  const auto file = fresh_file("plans.h5");
+  write_plans(file, {full_plan("zz", 0), infeasible_plan("zz", 1)});
+  const PlanReader reader(file);
+  const std::vector<std::string> faults = reader.contract_faults(0, infeasible_plan("zz", 1));
+  EXPECT_THAT(faults, Contains("trajectory is not part of the format"));
+  EXPECT_THAT(faults, Contains("grasp is not part of the format"));
+  EXPECT_THAT(reader.contract_faults(1, full_plan("zz", 0)), Contains("trajectory is missing"));
 }
 
 TEST(PlanFile, LooksLikeTheContractToH5py) {

@@ -216,7 +216,9 @@ PlanFileHeader plan_header() {
   header.built_with = "GNU 12.2.0, OMPL 1.5.2";
   header.inputs = {{"../robots/pa10.yaml", "name: pa10\n"},
                    {"../robots/dlr.yaml", "name: dlr_hit2 °\n"},
-                   {"human.yaml", ""}};
+                   {"human.yaml", ""},
+                   {"meshes/post.stl", std::string("solid\0\xff", 7)}};
+  header.settings = {"map.starts=3", "robots=pa10"};
   header.assumptions = assumptions();
   return header;
 }

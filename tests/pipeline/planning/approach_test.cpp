@@ -88,12 +88,5 @@ TEST_F(Approach, NoneWhereHomeIsInAnObstacle) {
   EXPECT_THAT(result.detail, testing::HasSubstr("ball"));
 }
 
-TEST(ApproachOptions, SaysWhatIsWrong) {
-  ApproachOptions options;
-  EXPECT_EQ(validation_error(options), "");
-  options.limit_scaling = 1.5;
-  EXPECT_EQ(validation_error(options), "limit_scaling must be above 0 and at most 1");
-}
-
 }  // namespace
 }  // namespace morphe::planning

@@ -43,6 +43,7 @@ TEST(Contacts, PadsTouchTheCupAndAnotherFingerCloses) {
     EXPECT_LT((contact.normal + contact.point.cwiseProduct(Vec3(1, 1, 0)).normalized()).norm(),
               1e-6)
         << "inwards";
+    EXPECT_LT(contact.pad_angle, 30 * kRadPerDegree) << contact.tip << " faces the surface";
   }
   EXPECT_THAT(plan.grasp.contacts[2].tip, AnyOf("middle_tip", "ring_tip")) << "seen by no marker";
   EXPECT_EQ(plan.grasp.contacts[2].origin, ContactOrigin::auto_closed);

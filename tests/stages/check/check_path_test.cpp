@@ -261,12 +261,5 @@ TEST_F(CheckPath, FindingsAreOrderedByBeginThenCause) {
                                            Cause::self_collision, Cause::joint_limit));
 }
 
-TEST(CheckOptions, SaysWhatIsWrong) {
-  CheckOptions options;
-  EXPECT_EQ(validation_error(options), "");
-  options.tolerances.required_clearance = -1;
-  EXPECT_EQ(validation_error(options), "required_clearance must not be negative");
-}
-
 }  // namespace
 }  // namespace morphe::check

@@ -90,7 +90,7 @@ TEST(Robomimic, HoldsOutATenthEvenlySpread) {
 TEST(Robomimic, AJointWithoutLimitsCannotBeScaled) {
   RobotModel robot = one_joint();
   robot.upper[0] = std::numeric_limits<double>::infinity();
-  EXPECT_THAT([&] { robomimic_header(robot, 500); },
+  EXPECT_THAT([&] { robomimic_header(robot, 500, ""); },
               testing::ThrowsMessage<InputError>(
                   testing::StrEq("joint a \"b\", c has no limits to scale actions by")));
 }

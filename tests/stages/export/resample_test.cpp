@@ -77,6 +77,25 @@ TEST(Resampled, TheEndIsThereOnce) {
             (std::vector<double>{0, 0.5 + 1e-12}));
 }
 
+TEST(Subdivided, KeepsTheSamplesAndTheCurve) {
+  const Trajectory samples = sampled({0.2, 0.3, 0.55, 0.8, 1.17});
+  const Trajectory t = subdivide(samples, 3);
+  ASSERT_EQ(t.samples(), 13u);
+  for (int i = 0; i < 13; ++i) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto joint = static_cast<Eigen::Index>(j);
+      EXPECT_NEAR(t.position(i, joint), curve(j, t.time[i], 0), 1e-12);
+      EXPECT_NEAR(t.acceleration(i, joint), curve(j, t.time[i], 2), 1e-10);
+    }
+    if (i % 3 != 0) continue;
+    EXPECT_EQ(t.time[i], samples.time[i / 3]);
+    EXPECT_EQ(t.position.row(i), samples.position.row(i / 3));
+    EXPECT_EQ(t.velocity.row(i), samples.velocity.row(i / 3));
+    EXPECT_EQ(t.acceleration.row(i), samples.acceleration.row(i / 3));
+  }
+  EXPECT_EQ(subdivide(samples, 1).time, samples.time);
+}
+
 TEST(Delayed, WaitsInTheFirstPosture) {
   const Trajectory t = add_initial_wait(sampled({0, 0.5}), 0.25);
   EXPECT_EQ(t.time, (std::vector<double>{0, 0.25, 0.75}));

@@ -109,10 +109,15 @@ TEST(CloseFingers, GoalsBeginWhereTheFingerIsAndEndOnTheObject) {
   const std::size_t frames = 101;
   for (std::size_t f = 0; f < frames; ++f) goals.time.push_back(0.01 * static_cast<double>(f));
   goals.tip_position = {frames, of.robot.tips.size(), unknown_point()};
-  const JointRows path = of.q.transpose().replicate(static_cast<Eigen::Index>(frames), 1);
-  EXPECT_THAT(tips_without_goals(of.robot, goals, hold_interval(of.movement)),
-              ElementsAre(0, 1, 2, 3, 4));
-  set_closure_goals(of.robot, closed.closings, of.movement, of.scene.objects[0], path, goals);
+  const HoldInterval hold = hold_interval(of.movement);
+  JointRows path(frames, of.q.size());
+  for (std::size_t f = 0; f < frames; ++f) {
+    path.row(static_cast<Eigen::Index>(f)) =
+        (of.q + closing_progress(hold, goals.time[f]) * closed.closings[0].turn).transpose();
+  }
+  EXPECT_THAT(tips_without_goals(of.robot, goals, hold), ElementsAre(0, 1, 2, 3, 4));
+  set_closure_goals(of.robot, {closed.closings[0].contact}, of.movement, of.scene.objects[0], path,
+                    goals);
   std::vector<Pose> base_from_frame;
   robot::forward_kinematics(of.robot, of.q, base_from_frame);
   const Vec3 open = robot::tracked_point(of.robot, base_from_frame, 2, 1);

@@ -109,5 +109,19 @@ TEST(SurfaceContactTerm, ResidualsAreGapAndDirection) {
   }
 }
 
+TEST(SurfaceContactTerm, AFingerThatClosesByItselfMaySlideAnywhere) {
+  NearSphere near(0.025);
+  JointRows jacobian;
+  const JointVector limited = near.residuals(near.q, jacobian);
+  for (DesiredContact& contact : near.contacts) contact.demonstrated = unknown_point();
+  const JointVector free = near.residuals(near.q, jacobian);
+  for (const Eigen::Index row : {4, 9}) {
+    EXPECT_GT(limited[row], 0);
+    EXPECT_EQ(free[row], 0);
+    EXPECT_TRUE(jacobian.row(row).isZero());
+  }
+  EXPECT_EQ(free.head<4>(), limited.head<4>());
+}
+
 }  // namespace
 }  // namespace morphe::grasp

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "tests/stages/import/recording_folder.hpp"
 
 namespace morphe::imports {
@@ -41,6 +43,25 @@ TEST_F(FolderFilesTest, AFolderBehindALinkToItIsSkipped) {
   fs::create_directory(folder_ / "b");
   fs::create_directory_symlink(folder_ / "b", folder_ / "a");
   EXPECT_THAT(left_out(), ElementsAre("b: folder that was already searched through a link to it"));
+}
+
+TEST_F(FolderFilesTest, ALinkOutOfTheFolderIsNotFollowed) {
+  const fs::path other = folder_ / "other";
+  fs::create_directories(folder_ / "own/inner");
+  fs::create_directory(other);
+  std::ofstream(other / "secret.csv") << "1";
+  std::ofstream(folder_ / "own/kept.csv") << "1";
+  fs::create_symlink(other / "secret.csv", folder_ / "own/file.csv");
+  fs::create_directory_symlink(other, folder_ / "own/folder");
+  fs::create_directory_symlink("/proc/self", folder_ / "own/inner/process");
+  fs::create_symlink("kept.csv", folder_ / "own/same.csv");
+  const FolderFiles found = list_files(folder_ / "own", "");
+  EXPECT_THAT(found.files, ElementsAre(folder_ / "own/kept.csv", folder_ / "own/same.csv"));
+  ASSERT_EQ(found.left_out.size(), 3);
+  for (const SkippedFile& file : found.left_out) {
+    EXPECT_TRUE(file.failed) << file.file;
+    EXPECT_THAT(file.reason, testing::StartsWith("link out of the folder"));
+  }
 }
 
 TEST_F(FolderFilesTest, AnEntryThatCannotBeReadHasTheReasonOfTheSystem) {

@@ -66,19 +66,8 @@ TEST(MapMode, LeavesOutWhatItSays) {
 TEST(MapOptions, RefusesWhatMakesNoSense) {
   EXPECT_EQ(validation_error(MapOptions{}), "");
   MapOptions options;
-  options.objective.get<humanlike::HullVolume>().weight = -1;
-  EXPECT_THAT(validation_error(options), HasSubstr("negative"));
-  options = {};
-  options.objective.get<humanlike::TriangleArea>().weight = -1;
-  EXPECT_THAT(validation_error(options), HasSubstr("negative"));
-  options = {};
-  options.branch_share = -0.1;
-  EXPECT_THAT(validation_error(options), HasSubstr("branch_share must not be negative"));
-  options = {};
-  options.wrist_motion = -1;
-  EXPECT_THAT(validation_error(options), HasSubstr("weights must not be negative"));
-  EXPECT_THAT(validation_error(BaseOffset{-0.1, 1}), HasSubstr("negative"));
-  EXPECT_THAT(validation_error(BaseOffset{0.1, kUnknown}), HasSubstr("negative"));
+  options.objective.get<humanlike::ThumbDistance>().full_distance_m = 1;
+  EXPECT_THAT(validation_error(options), HasSubstr("less than thumb_zero_distance"));
 }
 
 /// The weights do what they say: an arm with joints to spare and the same wrist goal, with B or C

@@ -125,16 +125,9 @@ TEST(MotionFromSensors, RebuildsTheDoorDemonstrations) {
 
 TEST(ReconstructOptions, AreChecked) {
   EXPECT_EQ(validation_error(ReconstructOptions{}), "");
-  EXPECT_EQ(validation_error(HumanOptions{}), "");
   ReconstructOptions options;
   options.cutoff_hz = 45;
   EXPECT_THAT(validation_error(options), HasSubstr("cutoff_hz"));
-  options = {};
-  options.index_marker_to_axis_m = 12;
-  EXPECT_THAT(validation_error(options), HasSubstr("marker_to_axis"));
-  HumanOptions human;
-  human.max_reach_share = 1.2;
-  EXPECT_THAT(validation_error(human), HasSubstr("max_reach_share"));
 }
 
 }  // namespace

@@ -333,12 +333,5 @@ TEST(Repair, IsTheSameToTheBitOnEveryThread) {
   }
 }
 
-TEST(Repair, OptionsAreChecked) {
-  EXPECT_EQ(validation_error(RepairOptions{}), "");
-  RepairOptions options;
-  options.range = 0;
-  EXPECT_THAT(validation_error(options), HasSubstr("range"));
-}
-
 }  // namespace
 }  // namespace morphe::repair

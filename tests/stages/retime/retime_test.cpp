@@ -482,7 +482,8 @@ TEST(Retime, OptionsAreReadAndChecked) {
     }
     return "";
   };
-  EXPECT_EQ(error_of("{limit_scaling: 1.5}"), "x:1: limit_scaling: must lie in [0.001, 1]");
+  EXPECT_EQ(error_of("{limit_scaling: 1.5}"),
+            "x:1: limit_scaling: must be at least 0.001 and at most 1, not 1.5");
   EXPECT_EQ(error_of("{mode: quick}"),
             "x:1: mode: must be human, fastest, duration or catch_up, not 'quick'");
   EXPECT_EQ(error_of("{mode: duration}"),
@@ -492,7 +493,8 @@ TEST(Retime, OptionsAreReadAndChecked) {
   EXPECT_EQ(error_of("{phase_speed: [{phase: lunch, scale: 1}]}"),
             "x:1: phase_speed[0].phase: must be rest, reach, preshape, grasp, hold, transport, "
             "return, approach, lift, place, release, retreat or home, not 'lunch'");
-  EXPECT_EQ(error_of("{max_tip_speed: 0}"), "x:1: max_tip_speed: must be at least 0.001");
+  EXPECT_EQ(error_of("{max_tip_speed: 0}"),
+            "x:1: max_tip_speed: must be at least 0.001 and at most 100 m/s, not 0");
 }
 
 }  // namespace

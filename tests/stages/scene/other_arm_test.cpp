@@ -200,9 +200,7 @@ TEST(OtherArm, IsNeverWhatIsGrasped) {
 TEST(OtherArm, ItsKeysAreChecked) {
   SceneOptions options;
   options.other_arm_radii = {0.05, 0.05};
-  EXPECT_THAT(validation_error(options), HasSubstr("other_arm_radii: needs three positive radii"));
-  options.other_arm_radii = {0.05, 0, 0.05};
-  EXPECT_THAT(validation_error(options), HasSubstr("three positive radii"));
+  EXPECT_THAT(validation_error(options), HasSubstr("other_arm_radii: needs three radii"));
   options = {};
   ConfiguredObject object;
   object.name = "other hand";

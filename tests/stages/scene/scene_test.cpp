@@ -324,7 +324,7 @@ TEST(RelativeObjects, StandInTheFrameThatTheyName) {
 
 TEST(SceneOptions, PositionsInMillimetresAreNoticed) {
   EXPECT_THAT(error_of("objects: [{name: a, shape: sphere, size: [0.1], position: [400, 0, 0]}]"),
-              HasSubstr("position: is 400 m from the world: positions are in m"));
+              HasSubstr("position[0]: must be at least -20 and at most 20 m, not 400"));
 }
 
 TEST(SceneOptions, ErrorsNameFileLineAndKey) {
@@ -343,7 +343,7 @@ TEST(SceneOptions, ErrorsNameFileLineAndKey) {
   EXPECT_THAT(error_of(with("shape: sphere, size: [1], file: a.stl")),
               HasSubstr("not allowed for a sphere"));
   EXPECT_THAT(error_of(with("shape: box, size: [1, -1, 1]")),
-              testing::StartsWith("c.yaml:3: objects[0].size: must be positive"));
+              testing::StartsWith("c.yaml:3: objects[0].size[1]: must be above 0"));
   EXPECT_THAT(error_of(with("shape: sphere, size: [1, 1]")),
               testing::StartsWith("c.yaml:3: objects[0].size: a sphere needs 1 number,"));
   EXPECT_THAT(error_of(with("shape: box")), HasSubstr("size"));

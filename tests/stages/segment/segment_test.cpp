@@ -399,12 +399,6 @@ TEST(SegmentOptions, CheckNamesTheKey) {
   EXPECT_EQ(validation_error(options), "");
   options.plan_until = PhaseKind::preshape;
   EXPECT_THAT(validation_error(options), testing::StartsWith("plan_until: "));
-  options = {};
-  options.dip_share = 1.5;
-  EXPECT_THAT(validation_error(options), testing::StartsWith("dip_share: "));
-  options = {};
-  options.min_reach_distance = -1;
-  EXPECT_THAT(validation_error(options), testing::StartsWith("min_reach_distance: "));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <set>
+#include <stdexcept>
 
 #include "planar_plan.hpp"
 #include "stages/verify/verify.hpp"
@@ -205,17 +207,35 @@ TEST(VerifyPromises, FindsWhatTheMappingAndThePathDidNotDo) {
   }
 }
 
-/// What the planar plan was asked to be, with a home where it begins.
+/// What the planar plan was asked to be, with a home where it begins: sampled at 100 Hz, the base
+/// turned by 0.3 rad, and the robot's shoulder beside the person's.
 PlanRequest asked() {
   PlanRequest asked;
   asked.robot = planar::robot();
   asked.plan_until = PhaseKind::hold;
+  asked.sample_step_s = 0.01;
+  asked.placement.world_from_base = Eigen::AngleAxisd(-0.3, Vec3::UnitZ()).matrix();
+  asked.placement.shoulder_offset = Vec3(0.1, 0, 0);
   return asked;
+}
+
+/// The planar plan, placed as asked.
+Plan placed_plan() {
+  Plan plan = planar::plan();
+  WorldFrames& frames = plan.reference_frames;
+  frames.base_from_world = Pose(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
+  frames.base_from_table = Pose::Identity();
+  frames.base_from_table.translation().z() = 0.065;
+  frames.base_from_target = Pose::Identity();
+  frames.base_from_target.translation() = cup_of(plan).position[0];
+  plan.goals.common_base_offset = Vec3(0.1 * std::cos(0.3), 0.1 * std::sin(0.3), 0);
+  frames.shoulder = Vec3(0, 0, 0.1) - plan.goals.common_base_offset;
+  return plan;
 }
 
 TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
   const PlanRequest wanted = asked();
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes());
+  EXPECT_EQ(causes_in(placed_plan(), &wanted), Causes());
   const Forgery cases[] = {
       {"config required_clearance", [](Plan& plan) { plan.tolerances.required_clearance = 0; }},
       {"config max_penetration", [](Plan& plan) { plan.tolerances.max_penetration = 0.02; }},
@@ -232,6 +252,17 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
       {"config end_s", [](Plan& plan) { plan.movement.end_s -= 0.005; }},
       {"config approach", [](Plan& plan) { plan.approach = plan.trajectory; }},
       {"config retreat", [](Plan& plan) { plan.retreat = plan.trajectory; }},
+      {"config sample_rate_hz", [](Plan& plan) { plan.trajectory.time[9] += 1e-4; }},
+      {"config common_base_offset", [](Plan& plan) { plan.goals.common_base_offset.x() += 1e-5; }},
+      {"config goals/shoulder_position",
+       [](Plan& plan) { plan.goals.shoulder_position[3] = Vec3(0, 0, 0.11); }},
+      {"config base_offset", [](Plan& plan) { plan.goals.base_offset = Vec3::Zero(); }},
+      {"config reference_frames/recording",
+       [](Plan& plan) { plan.reference_frames.base_from_world = Pose::Identity(); }},
+      {"config reference_frames/recording",
+       [](Plan& plan) { plan.reference_frames.base_from_world = unknown_pose(); }},
+      {"config reference_frames/shoulder",
+       [](Plan& plan) { plan.reference_frames.shoulder.y() += 1e-5; }},
       {"config carried_by",
        [](Plan& plan) {
          cup_of(plan).attach_s = 2.7;
@@ -239,23 +270,23 @@ TEST(VerifyPromises, FindsWhatWasNotAskedFor) {
        }},
   };
   for (const Forgery& c : cases) {
-    Plan plan = planar::plan();
+    Plan plan = placed_plan();
     c.forge(plan);
     EXPECT_EQ(causes_in(plan, &wanted).count(c.cause), 1u) << c.cause;
   }
   PlanRequest slower = asked();
   slower.limit_scaling = 0.4;
-  const Causes found = causes_in(planar::plan(), &slower);
+  const Causes found = causes_in(placed_plan(), &slower);
   EXPECT_EQ(found,
             (Causes{"config velocity_ratio", "config acceleration_ratio", "config jerk_ratio"}));
   PlanRequest finer = asked();
   finer.goal_step_s = 0.005;
-  EXPECT_EQ(causes_in(planar::plan(), &finer), Causes{"config goals"});
+  EXPECT_EQ(causes_in(placed_plan(), &finer), Causes{"config goals"});
 }
 
 TEST(VerifyPromises, FindsAFlagThatIsRefusedUnlessItIsAcceptedOrMended) {
   PlanRequest wanted = asked();
-  Plan plan = planar::plan();
+  Plan plan = placed_plan();
   plan.flags = {{.code = FlagCode::spike, .response = FlagResponse::flagged}};
   EXPECT_EQ(causes_in(plan, &wanted), Causes()) << "not refused";
   wanted.refused_flags = {FlagCode::spike};
@@ -269,8 +300,8 @@ TEST(VerifyPromises, FindsAFlagThatIsRefusedUnlessItIsAcceptedOrMended) {
 TEST(VerifyPromises, FindsALinkDepthThatIsNotTheConfigs) {
   PlanRequest wanted = asked();
   wanted.tolerances.max_link_penetration = 0.0;
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), Causes{"config max_link_penetration"});
-  Plan plan = planar::plan();
+  EXPECT_EQ(causes_in(placed_plan(), &wanted), Causes{"config max_link_penetration"});
+  Plan plan = placed_plan();
   plan.tolerances.max_link_penetration = 0.002;
   const PlanRequest without = asked();
   EXPECT_EQ(causes_in(plan, &without), Causes{"config max_link_penetration"});
@@ -280,9 +311,9 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
   PlanRequest wanted = asked();
   wanted.home.emplace();
   wanted.home->posture = planar::position_at(0);
-  EXPECT_EQ(causes_in(planar::plan(), &wanted), (Causes{"config approach", "config retreat"}));
+  EXPECT_EQ(causes_in(placed_plan(), &wanted), (Causes{"config approach", "config retreat"}));
   // There and back again on the spot, but for what the sampled clearance says at its end.
-  Plan plan = planar::plan();
+  Plan plan = placed_plan();
   const auto stand = [&](Trajectory& motion, Eigen::Index row, double time_s) {
     motion = plan.trajectory;
     motion.position = plan.trajectory.position.row(row).replicate(101, 1);
@@ -306,12 +337,7 @@ TEST(VerifyPromises, FindsAnApproachThatIsMissingOrDoesNotBeginAtHome) {
 }
 
 TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
-  Plan plan = planar::plan();
-  plan.reference_frames.base_from_world = Pose(Eigen::AngleAxisd(0.3, Vec3::UnitZ()));
-  plan.reference_frames.base_from_table = Pose::Identity();
-  plan.reference_frames.base_from_table.translation().z() = 0.065;
-  plan.reference_frames.base_from_target = Pose::Identity();
-  plan.reference_frames.base_from_target.translation() = cup_of(plan).position[0];
+  Plan plan = placed_plan();
   PlanRequest wanted = asked();
   PlanRequest::Body& body = wanted.bodies.emplace_back();
   body.object = plan.scene.objects[0];
@@ -327,6 +353,117 @@ TEST(VerifyPromises, FindsAnObstacleOfTheConfigThatIsMissingOrElsewhere) {
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"config bottle"});
   body.object.name = "shelf";
   EXPECT_EQ(causes_in(plan, &wanted), Causes{"config shelf"});
+}
+
+TEST(VerifyPromises, ABaseIsMovedByTheOffsetThatThePlanStates) {
+  PlanRequest wanted = asked();
+  wanted.placement.base_offset_limit = 0.05;
+  EXPECT_EQ(causes_in(placed_plan(), &wanted), Causes{"config base_offset"}) << "none";
+  Plan plan = placed_plan();
+  plan.goals.base_offset = Vec3(0, 0, 0.05);
+  plan.goals.common_base_offset.z() += 0.05;
+  plan.reference_frames.shoulder.z() -= 0.05;
+  EXPECT_EQ(causes_in(plan, &wanted), Causes());
+  wanted.placement.base_offset_limit = 0.04;
+  EXPECT_EQ(causes_in(plan, &wanted), Causes{"config base_offset"});
+}
+
+TEST(VerifyPromises, ATargetHasTheShapeThatTheConfigGivesIt) {
+  const double radius = planar::plan().scene.objects[1].size[0];
+  PlanRequest wanted = asked();
+  wanted.target.body.emplace().shape = Shape::sphere;
+  wanted.target.body->size = {radius};
+  Plan plan = placed_plan();
+  EXPECT_EQ(causes_in(plan, &wanted), Causes{"config cup/shape"}) << "its origin is not the config";
+  for (SceneObject& object : plan.scene.objects)
+    object.pose_origin = object.shape_origin = ObjectOrigin::recorded;
+  cup_of(plan).shape_origin = ObjectOrigin::configured;
+  EXPECT_EQ(causes_in(plan, &wanted).count("config cup/shape"), 0u);
+  wanted.target.body->size = {2 * radius};
+  EXPECT_EQ(causes_in(plan, &wanted).count("config cup/shape"), 1u);
+  wanted.target.body.reset();
+  cup_of(plan).pose_origin = ObjectOrigin::inferred;
+  EXPECT_EQ(causes_in(plan, &wanted).count("config cup/shape_origin"), 1u);
+  wanted.target.radius = radius / 2;
+  EXPECT_EQ(causes_in(plan, &wanted).count("config cup/shape_origin"), 0u);
+  EXPECT_EQ(causes_in(plan, &wanted).count("config cup/size"), 1u);
+}
+
+TEST(VerifyPromises, ThePersonsOtherArmHasTheRadiiOfTheConfig) {
+  PlanRequest wanted = asked();
+  wanted.other_arm = {{"bottle", 0.05}, {"never seen", 0.05}};
+  EXPECT_EQ(causes_in(placed_plan(), &wanted), Causes{"config bottle/size"}) << "a sphere";
+  Plan plan = placed_plan();
+  plan.detail = "bottle was recorded as an object: used as recorded";
+  EXPECT_EQ(causes_in(plan, &wanted), Causes());
+}
+
+TEST(VerifyPromises, APlanWithoutATrajectoryHasNothingElseOfOne) {
+  const PlanRequest wanted = asked();
+  Plan infeasible = placed_plan();
+  infeasible.reason = Reason::no_path;
+  infeasible.trajectory = {};
+  infeasible.certificate = {};
+  infeasible.grasp = {};
+  EXPECT_EQ(causes_in(infeasible, &wanted), Causes());
+  const Forgery cases[] = {
+      {"structure grasp", [](Plan& plan) { plan.grasp = planar::plan().grasp; }},
+      {"structure approach", [](Plan& plan) { plan.approach = planar::plan().trajectory; }},
+      {"structure retreat", [](Plan& plan) { plan.retreat = planar::plan().trajectory; }},
+      {"certificate clearance", [](Plan& plan) { plan.certificate.clearance = 0.5; }},
+      {"config tracking_tolerance", [](Plan& plan) { plan.tolerances.tracking_tolerance = 1; }},
+      {"config common_base_offset", [](Plan& plan) { plan.goals.common_base_offset.x() += 1e-5; }},
+      {"config end_s", [](Plan& plan) { plan.movement.end_s -= 0.005; }},
+  };
+  for (const Forgery& c : cases) {
+    Plan plan = infeasible;
+    c.forge(plan);
+    EXPECT_EQ(causes_in(plan, &wanted).count(c.cause), 1u) << c.cause;
+  }
+}
+
+TEST(VerifyRecorded, NamesWhatDiffersFromTheRecording) {
+  Plan expected = placed_plan();
+  expected.reason = Reason::unplanned;
+  EXPECT_TRUE(verify_recorded("reach/000", placed_plan(), expected).empty());
+  const Forgery cases[] = {
+      {"subject", [](Plan& plan) { plan.subject = "P99"; }},
+      {"task", [](Plan& plan) { plan.task = "another"; }},
+      {"hand", [](Plan& plan) { plan.hand = Side::left; }},
+      {"assumptions", [](Plan& plan) { plan.recording_assumptions.emplace_back(); }},
+      {"flags", [](Plan& plan) { plan.flags.emplace_back(); }},
+      {"target", [](Plan& plan) { plan.movement.target = "bottle"; }},
+      {"phases", [](Plan& plan) { plan.movement.phases[0].begin_s -= 1e-5; }},
+      {"begin_s", [](Plan& plan) { plan.movement.begin_s -= 1e-5; }},
+      {"scene/rod", [](Plan& plan) { plan.scene.objects.erase(plan.scene.objects.begin() + 2); }},
+      {"scene/more",
+       [](Plan& plan) { plan.scene.objects.emplace_back(cup_of(plan)).name = "more"; }},
+      {"scene/cup/shape", [](Plan& plan) { cup_of(plan).size[0] *= 0.5; }},
+      {"scene/cup/position", [](Plan& plan) { cup_of(plan).position[0].x() += 1e-5; }},
+      {"scene/cup/time", [](Plan& plan) { cup_of(plan).time.push_back(9); }},
+      {"scene/cup/pose_origin",
+       [](Plan& plan) { cup_of(plan).pose_origin = ObjectOrigin::recorded; }},
+      {"goals/time", [](Plan& plan) { plan.goals.time[1] += 1e-5; }},
+      {"goals/tip_position", [](Plan& plan) { plan.goals.tip_position(70, 1).z() += 1e-5; }},
+      {"goals/tip_position", [](Plan& plan) { plan.goals.tip_position(0, 0) = Vec3::Zero(); }},
+      {"goals/elbow_position", [](Plan& plan) { plan.goals.elbow_position[0] = Vec3::Zero(); }},
+      {"goals/estimated", [](Plan& plan) { plan.goals.estimated = {"elbow"}; }},
+  };
+  for (const Forgery& c : cases) {
+    Plan plan = placed_plan();
+    c.forge(plan);
+    const std::vector<Violation> found = verify_recorded("reach/000", plan, expected);
+    ASSERT_EQ(found.size(), 1u) << c.cause;
+    EXPECT_EQ(found[0].cause, "recording");
+    EXPECT_EQ(found[0].subject, c.cause);
+  }
+  // Contacts change the goals of tips from the preshape, or shortly before the grasp, on.
+  Plan touching = placed_plan();
+  touching.tolerances.max_link_penetration = 0.0;
+  touching.goals.tip_position(70, 1).z() += 1e-5;
+  EXPECT_TRUE(verify_recorded("reach/000", touching, expected).empty());
+  touching.goals.tip_position(1, 1).z() += 1e-5;
+  EXPECT_EQ(verify_recorded("reach/000", touching, expected).size(), 1u);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/files/sha256.hpp"
 #include "core/store/plan_file.hpp"
 #include "planar_plan.hpp"
 #include "stages/verify/verify.hpp"
@@ -19,6 +20,14 @@ namespace morphe::verify {
 namespace {
 
 using Causes = std::set<std::string>;  ///< "cause subject"
+
+PlanFileHeader header_of_test() {
+  PlanFileHeader header;
+  header.software = "morphe test";
+  header.dataset_sha256 = std::string(64, '0');
+  header.config_sha256 = files::sha256(header.config);
+  return header;
+}
 
 class VerifyFile : public testing::Test {
  protected:
@@ -31,14 +40,15 @@ class VerifyFile : public testing::Test {
   std::filesystem::path write(const Plan& plan) {
     const std::filesystem::path file = folder_ / "plans.h5";
     std::filesystem::remove(file);
-    PlanFileHeader header;
-    header.software = "morphe test";
+    PlanFileHeader header = header_of_test();
     store::PlanWriter writer(file, header, planar::robot());
     Plan infeasible = planar::plan();
     infeasible.movement.index = 1;
+    infeasible.movement.begin_s += 0.1;
     infeasible.reason = Reason::tracking;
     infeasible.trajectory = {};
     infeasible.certificate = {};
+    infeasible.grasp = {};
     writer.add(plan);
     writer.add(infeasible);
     writer.finish();
@@ -126,12 +136,11 @@ TEST_F(VerifyFile, AgreesWithThePythonScriptOnEveryMutation) {
 
 TEST_F(VerifyFile, IsTheSameOnAnyNumberOfThreads) {
   const std::filesystem::path file = folder_ / "plans.h5";
-  PlanFileHeader header;
-  header.software = "morphe test";
+  PlanFileHeader header = header_of_test();
   store::PlanWriter writer(file, header, planar::robot());
   for (int index = 0; index < 12; ++index) {
     Plan plan = planar::plan();
-    plan.movement.index = index;
+    plan.demonstration = fmt::format("reach{:02}", index);
     if (index % 3 == 1) plan.trajectory.velocity(30 + index, 0) = 2.5;
     if (index % 4 == 2) plan.goals.tip_position(75, 1).z() += 0.008;
     writer.add(plan);
@@ -143,6 +152,23 @@ TEST_F(VerifyFile, IsTheSameOnAnyNumberOfThreads) {
   for (const int jobs : {2, 5}) {
     EXPECT_EQ(verify_json(verify_file(file, {}, jobs)), verify_json(alone)) << jobs;
   }
+}
+
+TEST_F(VerifyFile, NamesAHashThatIsNoneAndAMovementTwice) {
+  const std::filesystem::path file = folder_ / "plans.h5";
+  PlanFileHeader header = header_of_test();
+  header.dataset_sha256 = "unknown";
+  store::PlanWriter writer(file, header, planar::robot());
+  Plan plan = planar::plan();
+  writer.add(plan);
+  plan.movement.index = 1;
+  writer.add(plan);
+  writer.finish();
+  Causes found;
+  for (const Violation& v : verify_file(file).violations)
+    found.insert(v.plan + " " + v.cause + " " + v.subject);
+  EXPECT_EQ(found,
+            (Causes{" structure @dataset_sha256 is no hash", "reach/001 structure begin_s"}));
 }
 
 }  // namespace

@@ -393,9 +393,10 @@ TEST(VerifyPlan, FindsWhatIsNotANumber) {
 TEST(VerifyPlan, FindsStatusAndContentApart) {
   Plan plan = planar::plan();
   plan.reason = Reason::smoothing_collision;
-  EXPECT_EQ(verify(plan).at(0).cause, "structure");
+  EXPECT_EQ(of("structure", verify(plan)).size(), 2u) << "a trajectory and a grasp";
   plan.trajectory = {};
   plan.certificate = {};
+  plan.grasp = {};
   EXPECT_TRUE(verify(plan).empty());
   plan.reason = Reason::none;
   EXPECT_EQ(verify(plan).at(0).cause, "structure");
@@ -507,6 +508,7 @@ TEST(VerifyPlan, AnInfeasiblePlanCertifiesNoTrajectory) {
   plan.trajectory = {};
   EXPECT_FALSE(of("certificate", verify(plan)).empty());
   plan.certificate = {};
+  plan.grasp = {};
   EXPECT_TRUE(verify(plan).empty());
 }
 
@@ -520,10 +522,14 @@ TEST(VerifyPlan, APlanThatReachesItsGoalsIsNotApproximate) {
 }
 
 TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
-  VerifyReport report{2, 3, 0, 1, {}, {}, {}};
+  VerifyReport report{2, 3, 0, 1, {}, {}, {}, {true, false}};
+  const std::string looked_at =
+      ", \"looked_at\": {\"file\": true, \"curves\": true, \"inputs\": true, \"recordings\": "
+      "false}}\n";
   EXPECT_EQ(verify_json(report),
             "{\"executable\": 2, \"approximate\": 3, \"partial\": 0, \"infeasible\": 1, "
-            "\"violations\": [], \"assumptions\": []}\n");
+            "\"violations\": [], \"assumptions\": []" +
+                looked_at);
   report.violations = {{"a\"b/000", 7, 0.014, "jerk", "S1", 31.5, 31, "rad/s^3"},
                        {"a\"b/000", 8, 0.016, "tracking", "thumb", 0.012, 0.01, "m"},
                        {"c/001", -1, 0, "certificate", "duration_ratio", kUnknown, 1.25, ""}};
@@ -537,7 +543,8 @@ TEST(VerifyReport, IsWrittenAsTheDocumentsSay) {
       "\"subject\": \"thumb\", \"value\": 0.012, \"limit\": 0.01, \"unit\": \"m\"},\n"
       "  {\"plan\": \"c/001\", \"sample\": -1, \"time_s\": 0, \"cause\": \"certificate\", "
       "\"subject\": \"duration_ratio\", \"value\": null, \"limit\": 1.25, \"unit\": \"\"}\n], "
-      "\"assumptions\": []}\n");
+      "\"assumptions\": []" +
+          looked_at);
   EXPECT_THAT(verify_text(report),
               testing::HasSubstr("sample 7 (0.0140 s): jerk S1: 31.5 rad/s^3, limit 31 rad/s^3\n"));
   EXPECT_THAT(verify_text(report), testing::HasSubstr("tracking thumb: 12 mm, limit 10 mm\n"));

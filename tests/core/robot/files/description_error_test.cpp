@@ -71,12 +71,14 @@ INSTANTIATE_TEST_SUITE_P(
                 ":13: chains[0].joints[0].velocity: must be a number, not '.inf'"},
         Mistake{"no_room", "upper: 1", "upper: -1",
                 ":12: chains[0].joints[0].upper: must be above lower"},
-        Mistake{"no_speed", "velocity: 1", "velocity: 0",
-                ":13: chains[0].joints[0].velocity: must be above 0"},
+        Mistake{
+            "no_speed", "velocity: 1", "velocity: 0",
+            ":13: chains[0].joints[0].velocity: must be above 0 and at most 1e+06 rad/s, not 0"},
         Mistake{"unknown_key", "shoulder: a", "shouldr: a",
                 ":19: shouldr: unknown key; did you mean 'shoulder'?"},
-        Mistake{"limits_of_a_coupled_joint", "alpha: 0, couple", "alpha: 0, velocity: -1, couple",
-                ":16: chains[0].joints[1].velocity: must be above 0"},
+        Mistake{
+            "limits_of_a_coupled_joint", "alpha: 0, couple", "alpha: 0, velocity: -1, couple",
+            ":16: chains[0].joints[1].velocity: must be above 0 and at most 1e+06 rad/s, not -1"},
         Mistake{"unknown_coupled_joint", "joint: a", "joint: c",
                 ":16: chains[0].joints[1].couple.joint: there is no actuated joint 'c' before this "
                 "one"},
@@ -96,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"unknown_frame_in_capsule", "frame: a,", "frame: z,",
                 ":25: collision.capsules[0].frame: there is no frame, link or chain 'z'"},
         Mistake{"flat_capsule", "radius: 0.1", "radius: 0",
-                ":25: collision.capsules[0].radius: must be above 0"},
+                ":25: collision.capsules[0].radius: must be above 0 and at most 10 m, not 0"},
         Mistake{"capsule_twice", "name: foot", "name: link",
                 ":26: collision.capsules[1].name: a capsule 'link' already exists"},
         Mistake{"unknown_capsule", "[[link, foot]]", "[[link, feet*]]",
@@ -128,13 +130,14 @@ struct BadGenerator {
 TEST(DescriptionErrors, OfGeneratedRobots) {
   for (const BadGenerator& bad : std::vector<BadGenerator>{
            {"{}", ":2: generate: must have either arm or hand"},
-           {"{arm: {joints: 5, length: 1}}", ":2: generate.arm: joints must be 6 … 60"},
+           {"{arm: {joints: 5, length: 1}}",
+            ":2: generate.arm.joints: must be at least 6 and at most 60, not 5"},
            {"{arm: {joints: 6}}", ":2: generate.arm.length: is missing"},
            {"{arm: {joints: 6, length: 1, links: 2}}", ":2: generate.arm.links: unknown key"},
            {"{hand: {fingers: 2, length: 1, breadth: 1}}",
-            ":2: generate.hand: fingers must be 3 … 12"},
+            ":2: generate.hand.fingers: must be at least 3 and at most 12, not 2"},
            {"{hand: {fingers: 4, length: 0, breadth: 1}}",
-            ":2: generate.hand: length and breadth must be above 0"}}) {
+            ":2: generate.hand.length: must be above 0 and at most 10 m, not 0"}}) {
     const std::filesystem::path file = write_robot("g", "name: g\ngenerate: " + bad.yaml + "\n");
     try {
       load_robot(file);

@@ -1,4 +1,4 @@
-#include "pipeline/run/folder_lock.hpp"
+#include "pipeline/run/file_lock.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "core/motion/input_error.hpp"
 
@@ -33,13 +34,15 @@ bool is_same_file(const std::filesystem::path& file, int descriptor) {
 
 }  // namespace
 
-FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".lock") {
+FileLock::FileLock(std::filesystem::path file, const std::filesystem::path& output,
+                   bool makes_folder)
+    : file_(std::move(file)) {
   constexpr int kMaxLockAttempts = 1000;
   std::error_code not_created;
   for (int i = 0; i < kMaxLockAttempts; ++i) {
-    std::filesystem::create_directories(folder, not_created);
+    if (makes_folder) std::filesystem::create_directories(file_.parent_path(), not_created);
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (descriptor_ < 0 && errno == ENOENT) continue;
+    if (descriptor_ < 0 && errno == ENOENT && makes_folder) continue;
     if (descriptor_ < 0) break;
     const bool locked = lock_file(descriptor_);
     const int error = errno;
@@ -51,17 +54,20 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : file_(folder / ".l
     errno = error;
     if (locked) continue;
     if (error == EAGAIN || error == EACCES)
-      throw InputError(fmt::format("{}: another run is using this folder", folder.string()));
+      throw InputError(
+          fmt::format("{}: another command is writing to it: wait until it has ended, or give "
+                      "another output",
+                      output.string()));
     break;
   }
   if (not_created)
     throw InputError(
-        fmt::format("{}: cannot be created: {}", folder.string(), not_created.message()));
-  throw InputError(fmt::format("{}: cannot be locked: {}", file_.string(), std::strerror(errno)));
+        fmt::format("{}: cannot be created: {}", output.string(), not_created.message()));
+  throw InputError(fmt::format("{}: cannot be written: {}", output.string(), std::strerror(errno)));
 }
 
-FolderLock::~FolderLock() {
-  // If somebody removed the file, another process may hold the folder with a new one.
+FileLock::~FileLock() {
+  // If somebody removed the file, another process may hold the output with a new one.
   if (is_same_file(file_, descriptor_)) ::unlink(file_.c_str());
   ::close(descriptor_);
 }
