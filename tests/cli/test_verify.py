@@ -126,7 +126,9 @@ class Damaged(CommandCase):
         self.succeeds("list", self.copy)
         self.assertNotIn("swivel angle", self.succeeds("explain", self.copy, PLAN).stdout)
         rows = json.loads(json_verify(self.copy).stdout)["violations"]
-        self.assertEqual({(row["cause"], row["subject"]) for row in rows}, {("certificate", name) for name in lacking})
+        self.assertEqual({(row["cause"], row["subject"]) for row in rows},
+                         {("certificate", name) for name in lacking} |
+                         {("structure", f"certificate/@{name} is missing") for name in lacking})
 
     def test_an_infeasible_plan_with_a_trajectory(self):
         with h5py.File(self.copy, "r+") as file:
