@@ -9,7 +9,7 @@
 
 namespace morphe::collision {
 
-/// Where meshes are read from, and what was read.
+/// The place from which meshes are read, and the files that were read.
 struct MeshSource {
   const files::GivenFiles* given = nullptr;  ///< nullptr: the disk
   std::vector<std::filesystem::path> read;   ///< appended: each mesh, then the files that it names

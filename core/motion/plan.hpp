@@ -283,7 +283,7 @@ struct PlanFileHeader {
   };
   /// The config first, then those that it extends, the robot's files, the scene's file and meshes.
   std::vector<Input> inputs;
-  /// What was said to load the config: "config=PATH", its path below /inputs; "robots=NAME", the
+  /// The words that loaded the config: "config=PATH", its path below /inputs; "robots=NAME", the
   /// entry of its `robots`, if it has any; "a.b=value" of each --set, in order.
   std::vector<std::string> settings;
   std::string inputs_sha256;  ///< as read from a file; the writer computes it (store::inputs_hash)

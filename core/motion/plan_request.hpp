@@ -14,7 +14,7 @@ namespace morphe {
 /// verifier needs them independently of how they are read (planning::plan_requirements reads them).
 struct PlanRequest {
   RobotModel robot;  ///< as described by the stored inputs
-  /// What the header says otherwise than its inputs and settings: "@config: KEY OLD -> NEW" with
+  /// Differences of the header from its inputs and settings: "@config: KEY OLD -> NEW" with
   /// the header's value and the one that follows, or the name of an attribute.
   std::vector<std::string> header_faults;
   Tolerances tolerances;

@@ -41,7 +41,7 @@ std::string abridge(const std::string& text, std::size_t width, std::size_t last
   return text.substr(0, front) + "…" + text.substr(back);
 }
 
-/// How the names of the first column are shortened.
+/// The manner in which names of the first column are shortened.
 struct NameShortening {
   std::size_t width = kMinFirstColumn_chars, last = (kMinFirstColumn_chars - 1) / 2;
 };

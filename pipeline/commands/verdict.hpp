@@ -8,7 +8,7 @@
 
 namespace morphe::commands {
 
-/// What `verify` says of a plans.h5.
+/// The verdict of `verify` on a plans.h5.
 struct Verdict {
   std::map<std::string, std::string> rejected;  ///< first violation by plan; "" is the file itself
   std::string first_violation;                  ///< as one line; "" if the file is accepted
@@ -22,7 +22,7 @@ struct Verdict {
   std::string text() const;
 };
 
-/// What is said of plans that are used with --unverified.
+/// The text for plans that are used with --unverified.
 inline constexpr const char* kNotJudged = "was not verified (--unverified)";
 
 /// Verifies a plans.h5 and notes it if it is accepted (accepted_files.hpp).
