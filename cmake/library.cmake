@@ -39,19 +39,37 @@ install(FILES core/store/demonstration_file.hpp core/store/plan_file.hpp DESTINA
 install(FILES stages/verify/verify.hpp stages/verify/violation.hpp DESTINATION include/morphe/stages/verify)
 # Where core/files/data_files.hpp looks, from bin and from lib.
 install(DIRECTORY configs datasets DESTINATION share/morphe)
-install(FILES pipeline/commands/completion.bash DESTINATION share/bash-completion/completions RENAME morphe)
+# What a shell and man(1) find: the program itself says what they show.
+set(completion pipeline/commands/completion)
+install(FILES ${completion}/morphe.bash DESTINATION share/bash-completion/completions RENAME morphe)
+install(FILES ${completion}/_morphe DESTINATION share/zsh/vendor-completions)
+install(FILES ${completion}/morphe.fish DESTINATION share/fish/vendor_completions.d)
+add_custom_command(TARGET morphe POST_BUILD BYPRODUCTS morphe.1.gz
+  COMMAND sh -c "$<TARGET_FILE:morphe> --man | gzip -9n > morphe.1.gz" VERBATIM)
+install(FILES ${CMAKE_BINARY_DIR}/morphe.1.gz DESTINATION share/man/man1)
 install(FILES LICENSE DESTINATION share/doc/morphe RENAME copyright)
+install(FILES README.md CITATION.cff DESTINATION share/doc/morphe)
+install(DIRECTORY docs DESTINATION share/doc/morphe)
+# The reader for Python, where Debian's Python looks below /usr.
+install(DIRECTORY python/morphe DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN *.py PATTERN py.typed
+  PATTERN __pycache__ EXCLUDE)
 
 # cpack: one package for Debian with all of this. What it needs is read off the files themselves.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME morphe)
 set(CPACK_PACKAGE_CONTACT "The Morphe authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_PACKAGE_DESCRIPTION "Morphe reads recordings of people who reach and grasp, and writes
+trajectories of a robot arm with a hand that look alike, keep all limits and
+collide with nothing, each with a certificate that a second command verifies.
+The package contains the program, a C++ library, a reader of the plans for
+Python, robots and recordings.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libeigen3-dev (>= 3.4)")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libeigen3-dev (>= 3.4), python3-h5py")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "python3-matplotlib")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/what_cpack_needs.cmake)
 include(CPack)

@@ -55,7 +55,8 @@ def anchors(markdown):
 
 def wrong_links():
     documents = [*ROOT.glob("*.md"), ROOT / "outputs/README.md"]
-    documents += [path for top in ("docs", "datasets", "core", "stages", "pipeline") for path in (ROOT / top).rglob("*.md")]
+    documents += [path for top in ("docs", "datasets", "core", "stages", "pipeline", "configs", "examples", "python", "scripts", "tests")
+                  for path in (ROOT / top).rglob("*.md")]
     for document in documents:
         where = document.relative_to(ROOT)
         for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", document.read_text(encoding="utf-8"))):

@@ -39,6 +39,12 @@ def held_by_nothing(f):
     del attached(f).attrs["attached_frame"]
 
 @lie("carried")
+def never_taken(f):
+    target = carried(f)[0]
+    for name in ("attached_frame", "attach_s", "release_s"):
+        target.attrs.pop(name, None)
+
+@lie("carried")
 def never_released(f):
     target = attached(f)
     need("transport" in [text(n) for n in f.plan["phases/name"][()]])
@@ -111,12 +117,6 @@ def let_go_early(f):
 @lie("recording")
 def a_copy_of_another_name(f):
     f.file.copy(f.plan.parent, f.file["plans"], "P99_reach")
-
-@lie("recording")
-def never_taken(f):
-    target = attached(f)
-    for name in ("attached_frame", "attach_s", "release_s"):
-        del target.attrs[name]
 
 @lie("recording")
 def an_arm_that_was_there(f):

@@ -8,6 +8,7 @@ project that docs/library.md shows, and examples/. Everything lands in a folder 
   install_test.py BUILD CXX deb     the Debian package, unpacked into a root of its own
                                     (exit 77: this machine has no dpkg)
 """
+import gzip
 import pathlib
 import re
 import shutil
@@ -103,6 +104,21 @@ class Installed(unittest.TestCase):
         self.assertTrue(refused.startswith(f"{self.prefix}/share/morphe/{near}: cannot be read"), refused)
         self.assertIn(f"did you mean '{self.prefix}/share/morphe/{CONFIG}'?", refused)
 
+    def check_what_shells_and_readers_find(self):
+        for path in ("man/man1/morphe.1.gz", "bash-completion/completions/morphe", "zsh/vendor-completions/_morphe",
+                     "fish/vendor_completions.d/morphe.fish", "doc/morphe/README.md", "doc/morphe/docs/tour.md", "doc/morphe/copyright"):
+            self.assertTrue((self.prefix / "share" / path).is_file(), path)
+        with gzip.open(self.prefix / "share/man/man1/morphe.1.gz", "rt", encoding="utf-8") as page:
+            self.assertEqual(page.read(), run(self.prefix / "bin/morphe", "--man"))
+
+    def check_python(self):
+        """The reader that was installed, not that of the sources."""
+        packages = self.prefix / "lib/python3/dist-packages"
+        said = run(sys.executable, "-B", "-c", "import morphe, sys; print(morphe.__file__); print(len(morphe.Plans(sys.argv[1])))",
+                   self.reference, cwd=self.elsewhere, env={"PYTHONPATH": str(packages)})
+        self.assertEqual(said.split(), [f"{packages}/morphe/__init__.py", "5"])
+        self.assertEqual({file.suffix for file in (packages / "morphe").iterdir()}, {".py", ".typed"})
+
     def check_outside_project(self):
         program = self.build_outside_project()
         folder = self.elsewhere / "outside"
@@ -124,6 +140,12 @@ class Tree(Installed):
 
     def test_the_program_finds_what_is_shipped(self):
         self.check_program()
+
+    def test_shells_and_readers_find_theirs(self):
+        self.check_what_shells_and_readers_find()
+
+    def test_python_reads_the_plans(self):
+        self.check_python()
 
     def test_the_project_of_the_page_writes_the_same_plans(self):
         self.assertLessEqual(sum(len(blocks("docs/library.md", language)[0].splitlines())
@@ -293,6 +315,12 @@ class Deb(Installed):
 
     def test_the_program_finds_what_is_shipped(self):
         self.check_program()
+
+    def test_shells_and_readers_find_theirs(self):
+        self.check_what_shells_and_readers_find()
+
+    def test_python_reads_the_plans(self):
+        self.check_python()
 
     def test_the_project_of_the_page_writes_the_same_plans(self):
         self.check_outside_project()

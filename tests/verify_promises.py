@@ -157,7 +157,7 @@ def check_scene(robot, plan, phases, report):
     for name, group in scene.items():
         frame = text(group.attrs["attached_frame"]) if "attached_frame" in group.attrs else ""
         attach, release = (group.attrs.get(key, np.nan) for key in ("attach_s", "release_s"))
-        if np.isnan(attach) and np.isnan(release) and not frame:
+        if name != target and np.isnan(attach) and np.isnan(release) and not frame:
             continue
         if name != target or np.isnan(attach) or (frame and frame not in robot.frame_names):
             report.add("scene", name, np.nan, np.nan)

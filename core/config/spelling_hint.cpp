@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/config/renamed_keys.hpp"
+#include "core/files/data_files.hpp"
 
 namespace morphe::config {
 namespace {
@@ -17,6 +18,23 @@ namespace fs = std::filesystem;
 char plain_letter(char c) {
   if (c == '-' || c == ' ') return '_';
   return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+}
+
+/// Returns the shipped config or dataset whose name is the word, with or without extension; "" if
+/// there is none.
+fs::path shipped_file_named(const std::string& word) {
+  for (const char* const folder : {"configs/pipelines", "configs/robots", "configs/studies",
+                                   "configs/synthetic", "datasets"}) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(files::resolve_data_file(folder), ignored)) {
+      const fs::path& path = entry.path();
+      const bool config = path.extension() == ".yaml" || entry.is_directory(ignored);
+      if (config && (path.stem() == word || path.filename() == word))
+        return fs::path(folder) / path.filename();
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -68,8 +86,13 @@ std::string file_spelling_hint(const fs::path& missing) {
        fs::directory_iterator(folder.empty() ? "." : folder, ignored))
     names.push_back(entry.path().filename().string());
   std::ranges::sort(names);
-  const std::string meant = nearest_word(missing.filename().string(), names);
-  return meant.empty() ? "" : fmt::format("; did you mean '{}'?", (folder / meant).string());
+  const auto stem = std::ranges::find_if(
+      names, [&](const std::string& name) { return fs::path(name).stem() == missing.filename(); });
+  const std::string meant =
+      stem != names.end() ? *stem : nearest_word(missing.filename().string(), names);
+  if (!meant.empty()) return fmt::format("; did you mean '{}'?", (folder / meant).string());
+  const fs::path shipped = folder.empty() ? shipped_file_named(missing.string()) : fs::path();
+  return shipped.empty() ? "" : fmt::format("; did you mean '{}'?", shipped.string());
 }
 
 }  // namespace morphe::config

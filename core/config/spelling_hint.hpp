@@ -17,7 +17,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 /// Returns renaming_hint(), or if that is empty "; did you mean 'x'?" with nearest_word(), or "".
 std::string spelling_hint(std::string_view word, const std::vector<std::string>& candidates);
 
-/// Returns "; did you mean 'x'?" with the nearest name in the folder of a missing file, or "".
+/// Returns "; did you mean 'x'?" with the name in the folder of a missing file that has the same
+/// stem or is nearest, or for a bare word with the shipped config or dataset of that name; else "".
 std::string file_spelling_hint(const std::filesystem::path& missing);
 
 }  // namespace morphe::config

@@ -6,71 +6,13 @@
 
 #include "core/cover/capsule_surface.hpp"
 #include "core/cover/constants.hpp"
+#include "core/cover/point_cloud.hpp"
 #include "core/math/random_stream.hpp"
 
 namespace morphe::cover {
 namespace {
 
 using collision::CapsuleBody;
-
-/// The points that no chosen capsule covers yet, in single precision: they are only counted.
-struct PointCloud {
-  std::vector<float> x, y, z;
-
-  explicit PointCloud(const std::vector<Vec3>& points) {
-    for (const Vec3& point : points) {
-      x.push_back(static_cast<float>(point.x()));
-      y.push_back(static_cast<float>(point.y()));
-      z.push_back(static_cast<float>(point.z()));
-    }
-  }
-  std::ptrdiff_t size() const { return std::ssize(x); }
-};
-
-/// Tells which points are in a capsule, for one capsule and many points.
-struct CapsuleFilter {
-  Eigen::Vector3f from, axis;
-  float inverse_square, square_radius;
-
-  explicit CapsuleFilter(const CapsuleBody& capsule)
-      : from(capsule.from.cast<float>()), axis((capsule.to - capsule.from).cast<float>()) {
-    const float square = axis.squaredNorm();
-    inverse_square = square > 0 ? 1 / square : 0;
-    square_radius = static_cast<float>(capsule.radius * capsule.radius);
-  }
-  bool contains(float x, float y, float z) const {
-    x -= from.x();
-    y -= from.y();
-    z -= from.z();
-    const float t =
-        std::clamp((x * axis.x() + y * axis.y() + z * axis.z()) * inverse_square, 0.0F, 1.0F);
-    x -= t * axis.x();
-    y -= t * axis.y();
-    z -= t * axis.z();
-    return x * x + y * y + z * z <= square_radius;
-  }
-};
-
-int count_inside(const CapsuleBody& capsule, const PointCloud& cloud) {
-  if (!(capsule.radius > 0)) return 0;
-  const CapsuleFilter filter(capsule);
-  int count = 0;
-  for (std::ptrdiff_t p = 0; p < cloud.size(); ++p)
-    count += filter.contains(cloud.x[p], cloud.y[p], cloud.z[p]);
-  return count;
-}
-
-void remove_inside(const CapsuleBody& capsule, PointCloud& cloud) {
-  const CapsuleFilter filter(capsule);
-  std::ptrdiff_t kept = 0;
-  for (std::ptrdiff_t p = 0; p < cloud.size(); ++p) {
-    if (filter.contains(cloud.x[p], cloud.y[p], cloud.z[p])) continue;
-    cloud.x[kept] = cloud.x[p];
-    cloud.y[kept] = cloud.y[p];
-    cloud.z[kept++] = cloud.z[p];
-  }
-  for (std::vector<float>* values : {&cloud.x, &cloud.y, &cloud.z}) values->resize(kept);
-}
 
 double max_depth_m(const Voxels& voxels) {
   float depth = 0;
@@ -154,7 +96,7 @@ struct GreedyCover {
   const Room room;
   const std::vector<Vec3>& directions;
   double max_depth_m;
-  PointCloud uncovered;
+  PointCloud uncovered;  ///< the points that no chosen capsule covers yet
   math::RandomStream random;
   std::vector<CapsuleBody> candidates;
   /// Upper bounds of the number of points that a candidate adds: they only fall, and save counting.
@@ -166,7 +108,7 @@ struct GreedyCover {
     for (int s = 0; s < std::ssize(candidates); ++s) {
       const bool full = std::ssize(best) == kClimbedCandidates;
       if (max_added[s] == 0 || (full && max_added[s] <= best.back().first)) continue;
-      max_added[s] = count_inside(candidates[s], uncovered);
+      max_added[s] = uncovered.count_inside(candidates[s]);
       if (full && max_added[s] <= best.back().first) continue;
       best.emplace_back(max_added[s], s);
       std::ranges::stable_sort(best, std::greater<>(), &std::pair<int, int>::first);
@@ -183,7 +125,7 @@ struct GreedyCover {
       if (k % 3 != 1) moved.from += move_m * random.normal_vector3();
       if (k % 3 != 2) moved.to += move_m * random.normal_vector3();
       set_radius(room, moved);
-      const int now = count_inside(moved, uncovered);
+      const int now = uncovered.count_inside(moved);
       if (now <= added) continue;
       capsule = moved;
       added = now;
@@ -195,7 +137,7 @@ struct GreedyCover {
   CapsuleBody ball_at_uncovered_point() {
     const auto p =
         static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(uncovered.size()));
-    const Vec3 point(uncovered.x[p], uncovered.y[p], uncovered.z[p]);
+    const Vec3 point = uncovered.point(p);
     CapsuleBody best;
     int most = 0;
     for (int k = 0; k < kBallsPerPoint; ++k) {
@@ -205,7 +147,7 @@ struct GreedyCover {
       CapsuleBody ball{point + distance_m * direction, point + distance_m * direction, 0};
       set_radius(room, ball);
       if (ball.radius < distance_m) continue;
-      const int added = count_inside(ball, uncovered);
+      const int added = uncovered.count_inside(ball);
       if (added <= most) continue;
       most = added;
       best = ball;
@@ -226,11 +168,11 @@ struct GreedyCover {
   /// Returns the ball, drawn out along the direction in which it adds most.
   CapsuleBody drawn_out(const CapsuleBody& ball) const {
     CapsuleBody best = ball;
-    int most = count_inside(ball, uncovered);
+    int most = uncovered.count_inside(ball);
     for (const Vec3& direction : directions) {
       const CapsuleBody drawn{farthest(ball.from, direction, ball.radius),
                               farthest(ball.from, -direction, ball.radius), ball.radius};
-      const int added = count_inside(drawn, uncovered);
+      const int added = uncovered.count_inside(drawn);
       if (added <= most) continue;
       most = added;
       best = drawn;
@@ -256,14 +198,14 @@ struct GreedyCover {
       for (int k = 0; with_climbing && k < (max_gain == 0 ? kMaxUncoveredSeeds : kUncoveredSeeds);
            ++k) {
         CapsuleBody capsule = drawn_out(ball_at_uncovered_point());
-        const int added = climb(capsule, count_inside(capsule, uncovered));
+        const int added = climb(capsule, uncovered.count_inside(capsule));
         if (added <= max_gain) continue;
         max_gain = added;
         best = capsule;
       }
       // Later capsules hardly add more points than earlier ones.
       if (max_gain == 0 || uncovered.size() > max_gain * (budget - std::ssize(chosen))) return {};
-      remove_inside(best, uncovered);
+      uncovered.remove_inside(best);
       chosen.push_back(best);
     }
     return chosen;

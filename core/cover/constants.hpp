@@ -40,6 +40,10 @@ inline constexpr int kMinEnclosedSamples = 40000, kMaxEnclosedSamples = 400000;
 inline constexpr int kQualitySampleCount = 12000;  ///< judge the result
 inline constexpr int kSurfacePerInnerPoint = 4;    ///< points on the surface for one inside
 
+// --- point_cloud.cpp
+/// Above the round-off of single precision within metres of the origin.
+inline constexpr float kRoundOff_m = 1e-5F;
+
 // --- choose_segments.cpp
 inline constexpr int kCandidateCount = 600, kMaxDrawsPerCandidate = 8;
 inline constexpr int kDeepDraws = 3;     ///< of so many interior points the deepest is an end

@@ -7,7 +7,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -55,6 +54,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, Disk& disk)
   if (::stat(target_.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
     throw InputError(fmt::format("{}: cannot be written: is {}", target_.string(),
                                  S_ISDIR(found.st_mode) ? "a folder" : "a device, pipe or socket"));
+  const auto held = hold_end();
   descriptor_ = create_exclusively(part_);
   if (descriptor_ < 0) fail(target_);
   ::fstat(descriptor_, &found);
@@ -79,8 +79,13 @@ bool AtomicFile::is_ours() const {
   return ::lstat(part_.c_str(), &found) == 0 && found.st_dev == device_ && found.st_ino == inode_;
 }
 
+std::ofstream AtomicFile::open_stream() const {
+  const auto held = hold_end();
+  return std::ofstream(part_, std::ios::binary);
+}
+
 void AtomicFile::write(const std::string& text) {
-  std::ofstream stream(part_, std::ios::binary);
+  std::ofstream stream = open_stream();
   stream << text;
   stream.close();
   close_descriptor();  // thousands of files may wait for commit(), more than may be open

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,8 @@ class AtomicFile {
   const std::filesystem::path& target() const { return target_; }
   /// Returns the path of the part file.
   const std::filesystem::path& part() const { return part_; }
+  /// Opens the part file, which loses its content; the stream's state tells whether that failed.
+  std::ofstream open_stream() const;
   /// Replaces the content of the part file by a text; throws InputError on failure.
   void write(const std::string& text);
   /// Syncs and renames the part file; throws InputError also if another process replaced it.

@@ -11,7 +11,7 @@ namespace {
 
 /// The list is never destroyed, because a signal may arrive while the process ends.
 struct UnfinishedPathList {
-  std::mutex mutex;
+  std::recursive_mutex mutex;  // a library may end the process inside hold_end()
   std::vector<std::filesystem::path> paths;
 };
 
@@ -33,8 +33,12 @@ UnfinishedPath::~UnfinishedPath() {
   paths.erase(std::ranges::find(paths, path_));
 }
 
+std::unique_lock<std::recursive_mutex> hold_end() {
+  return std::unique_lock(unfinished_paths().mutex);
+}
+
 void remove_unfinished_paths() {
-  const std::lock_guard lock(unfinished_paths().mutex);
+  unfinished_paths().mutex.lock();  // until the process ends
   std::error_code ignored;
   for (const auto& path : unfinished_paths().paths) std::filesystem::remove_all(path, ignored);
 }

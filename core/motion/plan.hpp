@@ -230,6 +230,7 @@ struct DeliveredPart {
 /// A movement of a demonstration and all results of planning it.
 struct Plan {
   std::string demonstration, subject, task;
+  std::string source, licence;  ///< of the recording, "" if it does not state them
   Side hand = Side::right;
   Movement movement;
   /// Why there is no trajectory, or none of the later part; Reason::none if nothing is missing.

@@ -13,6 +13,7 @@
 
 #include "core/files/item_name.hpp"
 #include "core/files/printable.hpp"
+#include "core/files/unfinished_path.hpp"
 #include "core/store/hdf5_output.hpp"
 #include "core/store/hdf5_types.hpp"
 
@@ -115,6 +116,7 @@ Hdf5File Hdf5File::create(const std::filesystem::path& path, files::Disk& disk) 
   const Hdf5Id creation = properties(H5P_FILE_CREATE);
   describe_group(creation.get());
   file.name_ = path.string();
+  const auto held = files::hold_end();
   file.id_ = {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose};
   if (!file.id_.valid()) throw InputError(fmt::format("{}: cannot be created", file.name_));
   return file;

@@ -190,7 +190,7 @@ Hdf5Array<T> Hdf5Group::read(const std::string& name, const Hdf5Shape& shape) co
   array.values.resize(data.extent.size());
   if (!array.values.empty() && H5Dread(data.id.get(), memory_type(T{}), H5S_ALL, H5S_ALL,
                                        H5P_DEFAULT, array.values.data()) < 0)
-    fail(name, "is damaged: its values cannot be read");
+    fail(name, "is damaged, or memory is short: its values cannot be read");
   return array;
 }
 
@@ -214,7 +214,7 @@ std::vector<std::string> Hdf5Group::read_strings(const std::string& name) const 
   };
   std::vector<std::string> values;
   if (!strings_of(data.type.get(), space.get(), data.extent.size(), read, values))
-    fail(name, "is damaged: its values cannot be read");
+    fail(name, "is damaged, or memory is short: its values cannot be read");
   return values;
 }
 

@@ -237,6 +237,8 @@ void lay_out_plan(Io& io, T& plan) {
   lay_out_status(io, plan);
   io.attribute("subject", plan.subject);
   io.attribute("task", plan.task);
+  io.optional_attribute("source", plan.source);
+  io.optional_attribute("licence", plan.licence);
   io.attribute("hand", plan.hand);
   io.attribute("begin_s", plan.movement.begin_s);
   io.attribute("end_s", plan.movement.end_s);

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Draws this folder's pictures anew, from the shipped pipelines: docs/pictures/draw.py build/release/morphe"""
+"""Draws this folder's pictures of plans anew, from the shipped pipelines: docs/pictures/draw.py build/release/morphe
+cli:report compares the plans that they carry (tests/support/pictures.py) with those of today."""
 import base64
 import pathlib
 import shutil
@@ -10,22 +11,17 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
 import browser  # noqa: E402
+import pictures  # noqa: E402
 
-# picture: pipeline, address on the page, seconds of the clock are in it
-PICTURES = {
-    "report_first_page": ("robots", ""),
-    "report_repaired": ("pa10_dlr_hit2_obstacle", "#ADL001DR2/000/0.9"),
-    "report_infeasible": ("fr3", "#ADL006DR2/000"),
-    "report_from_home": ("pa10_dlr_hit2_from_home", "#ADL004DR2/000/-0.8"),
-}
-# Drawn, and nothing left to come: the last of the plots is there.
-DRAWN = "return document.querySelectorAll('.plot').length >= 5 || !document.querySelector('#overview').hidden"
+# Drawn, and nothing left to come: the last of the plots, or of the posters, is there.
+DRAWN = "return document.querySelector('.plots')?.dataset.drawn || document.querySelector('.posters')?.dataset.drawn"
 
 
-def page_of(morphe, pipeline, folder):
-    subprocess.run([morphe, "run", ROOT / f"configs/pipelines/{pipeline}.yaml", "--out", folder / pipeline,
-                    "--report"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return folder / pipeline / "report.html"
+def run_of(morphe, pipeline, folder):
+    if not (folder / pipeline).exists():
+        subprocess.run([morphe, "run", ROOT / f"configs/pipelines/{pipeline}.yaml", "--out", folder / pipeline,
+                        "--report"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    return folder / pipeline
 
 
 def main():
@@ -33,15 +29,20 @@ def main():
     here = pathlib.Path(__file__).resolve().parent
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        window = browser.open_browser(1280, 720)
-        for picture, (pipeline, address) in PICTURES.items():
-            window.get(page_of(morphe, pipeline, folder).as_uri() + address)
+        window = browser.open_browser(1280, 800)
+        for picture, (pipeline, plans, address) in pictures.PICTURES.items():
+            run = run_of(morphe, pipeline, folder)
+            window.get("about:blank")
+            window.get((run / "report.html").as_uri() + address)
             browser.wait_until(window, DRAWN)
-            shot = window.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"]
-            (here / f"{picture}.png").write_bytes(base64.b64decode(shot))
+            window.execute_script("document.activeElement.blur()")
+            browser.wait_until(window, "return true")
+            shot = base64.b64decode(window.execute_cdp_cmd("Page.captureScreenshot", {"format": "png"})["data"])
+            listed = subprocess.run([morphe, "list", run, "--only", plans], check=True, capture_output=True, text=True)
+            (here / f"{picture}.png").write_bytes(pictures.with_text(shot, pictures.rows_of_list(listed.stdout)))
         window.quit()
-        plans = folder / "pa10_dlr_hit2_obstacle/plans.h5"
-        subprocess.run([morphe, "report", plans, "--plans", "ADL001DR2/000", "--svg", folder / "films"],
+        run = run_of(morphe, "pa10_dlr_hit2_obstacle", folder)
+        subprocess.run([morphe, "report", run, "--plans", "ADL001DR2/000", "--svg", folder / "films"],
                        check=True, stdout=subprocess.DEVNULL)
         shutil.copy(folder / "films/ADL001DR2_000.svg", here / "filmstrip.svg")
 

@@ -53,12 +53,17 @@ std::string counts_text(const PlanDiff& diff, const std::set<std::string>& diffe
     only_second += pair.first ? 0 : 1;
     different += pair.in_both() && differing.contains(pair.name) ? 1 : 0;
   }
-  std::string text = fmt::format(
-      "A: {}\nB: {}\n{} in both, {} of them differ{}", diff.first.string(), diff.second.string(),
-      count_with_noun(both, "plan"), different, different == 1 ? "s" : "");
-  if (only_first > 0) text += fmt::format("; {} only in A", only_first);
-  if (only_second > 0) text += fmt::format("; {} only in B", only_second);
-  text += "\n";
+  std::string text = fmt::format("A: {}\nB: {}\n", diff.first.string(), diff.second.string());
+  if (differing.empty() && only_first + only_second == 0) {
+    text += fmt::format("{} in both, all equal; the files differ otherwise:\n",
+                        count_with_noun(both, "plan"));
+  } else {
+    text += fmt::format("{} in both, {} of them differ{}", count_with_noun(both, "plan"), different,
+                        different == 1 ? "s" : "");
+    if (only_first > 0) text += fmt::format("; {} only in A", only_first);
+    if (only_second > 0) text += fmt::format("; {} only in B", only_second);
+    text += "\n";
+  }
   for (const auto& [file, not_verified] :
        {std::pair("A", &diff.first_not_verified), std::pair("B", &diff.second_not_verified)})
     if (!not_verified->empty()) text += fmt::format("{}: {}\n", file, *not_verified);
@@ -217,7 +222,10 @@ std::string diff_text(const PlanDiff& diff, const std::vector<PlanPair>& pairs, 
   if (!differing.empty())
     text += status_text(diff.pairs, width) + branch_lines(diff.pairs, width) +
             figures_text(diff, width) + rows_text(pairs, width);
-  return text + (all ? datasets_text(diff, pairs)
+  const bool told =
+      !(differing.empty() && diff.config_changes.empty() && diff.file_changes.empty());
+  return text + (all || !told
+                     ? datasets_text(diff, pairs)
                      : "(--all lists every dataset that differs, with the largest change and its "
                        "place)\n");
 }

@@ -24,6 +24,7 @@ namespace fs = std::filesystem;
 int execute(const imports::ImportRequest& request, const fs::path& out, const fs::path& clips) {
   if (out.empty() && clips.empty())
     throw InputError("import: needs --out FILE.h5, --clip DIR or both");
+  for (const fs::path& path : request.paths) expect_exists(path);
   const bool writes_manifest =
       !out.empty() && std::ranges::any_of(request.paths, [](const fs::path& path) {
         return fs::is_directory(path);

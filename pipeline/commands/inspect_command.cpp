@@ -61,6 +61,7 @@ int execute(const InspectArguments& arguments) {
   expect_effect(!arguments.points || !arguments.json, "--points", "with --json, which lists them");
   const InspectOptions options = options_of(arguments.config);
   const std::vector<std::filesystem::path>& paths = arguments.request.paths;
+  for (const std::filesystem::path& path : paths) expect_exists(path);
   std::vector<Inspection> all;
   const bool points = arguments.points || is_one_recording(paths);
   std::size_t demonstrations = 0, movements = 0, usable = 0;

@@ -16,9 +16,12 @@
 #include "core/motion/version.hpp"
 #include "core/store/hdf5_exit.hpp"
 #include "pipeline/commands/commands.hpp"
+#include "pipeline/commands/completions.hpp"
 #include "pipeline/commands/import_question_text.hpp"
+#include "pipeline/commands/man_page.hpp"
 #include "pipeline/commands/standard_streams.hpp"
 #include "pipeline/commands/suggestions.hpp"
+#include "pipeline/commands/value_checks.hpp"
 #include "pipeline/run/abnormal_end.hpp"
 #include "pipeline/run/stop_signal.hpp"
 
@@ -77,8 +80,14 @@ int execute(int argc, char** argv) {
     subcommand->footer("Examples:\n" + command.examples);
     actions[subcommand] = command.add_arguments(*subcommand);
   }
+  commands::check_values(app);
   const std::string first = argc > 1 ? argv[1] : "";
+  const std::string command = first.starts_with('-') ? "" : first + " ";
   if (first == "--complete") return complete(app, argc, argv);
+  if (first == "--man") {
+    fmt::print("{}", commands::man_page(app));
+    return 0;
+  }
   if (!first.empty() && first[0] != '-') {
     const std::vector<std::string> names = commands::command_names(app);
     if (std::ranges::find(names, first) == names.end())
@@ -91,7 +100,10 @@ int execute(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string unknown = commands::unknown_options(app);
     if (error.get_exit_code() != 0 && !unknown.empty())
-      return print_usage_error(unknown.substr(0, unknown.size() - 1), first + " ");
+      return print_usage_error(unknown.substr(0, unknown.size() - 1), command);
+    const std::string repeated = commands::repeated_options(app);
+    if (error.get_exit_code() != 0 && !repeated.empty())
+      return print_usage_error(repeated.substr(0, repeated.size() - 1), command);
     return print_parse_error(app, error);
   } catch (const morphe::imports::UnresolvedImport& question) {
     fmt::print(stderr, "{}\n{}", question.what(),

@@ -37,7 +37,7 @@ std::vector<Demonstration> read_dataset(const PlaceArguments& arguments,
   if (file.empty())
     throw InputError(
         fmt::format("{}: dataset: is missing (give it here, or --dataset)", arguments.config));
-  if (!fs::exists(file)) throw InputError(fmt::format("{}: cannot be read", file.string()));
+  expect_exists(file);
   std::vector<Demonstration> demonstrations;
   if (fs::is_directory(file) || !is_demonstrations_file(file)) {
     imports::ImportRequest request;
@@ -81,7 +81,7 @@ place::PlaceOptions options_of(const PlaceArguments& arguments,
     options.mount = enum_from_name<place::MountDirection>(arguments.mount).value();
   options.max_tilt_rad = arguments.tilt_deg * kRadPerDegree;
   if (const std::string error = validation_error(options); !error.empty())
-    throw InputError("place: " + error);
+    throw InputError("place: --" + error);
   const bool is_any = options.mount == place::MountDirection::any;
   const bool turns = !options.fixed.rotation;
   expect_effect(arguments.tilt_deg == 0 || (turns && !is_any), "--tilt",
@@ -177,8 +177,8 @@ CommandAction add_place_arguments(CLI::App& app) {
   app.add_option("--refine", options.refine, "Number of placements to refine");
   app.add_option("--plan", options.plan, "Number of placements to plan completely and print");
   add_jobs_option(app, arguments->jobs);
-  app.add_option("--set", arguments->settings,
-                 "KEY=VALUE: change a value of the config, such as seed=2")
+  app.add_option("--set", arguments->settings, "Change a value of the config, such as seed=2")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_flag("--quiet", arguments->quiet, "Print no progress");
   app.add_flag("--json", arguments->json, "Print JSON");

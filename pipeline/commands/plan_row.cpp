@@ -194,27 +194,37 @@ PlanRow row_from_json(const std::string& text) {
   return row;
 }
 
-void check_selection(const RowSelection& choice) {
-  if (choice.sort_key.empty() || choice.sort_key == "name" ||
-      figure_index(choice.sort_key) < kPlanFigureCount)
-    return;
-  std::vector<std::string_view> keys;
-  for (const PlanFigure& figure : plan_figures()) keys.push_back(figure.key);
-  throw InputError(
-      fmt::format("--sort: '{}' is not one of name, {}", choice.sort_key, fmt::join(keys, ", ")));
+std::vector<std::string> sort_keys() {
+  std::vector<std::string> keys{"name"};
+  for (const PlanFigure& figure : plan_figures()) keys.emplace_back(figure.key);
+  return keys;
 }
 
-std::string unknown_filter(const RowSelection& choice, const std::vector<std::string>& plan_names) {
+std::vector<std::string> filter_words() {
   std::vector<std::string> words{"repaired", kNotVerified};
   for (std::size_t k = 0; k < enum_count<Status>(); ++k)
     words.emplace_back(name_of(static_cast<Status>(k)));
   for (std::size_t k = 1; k < enum_count<Reason>(); ++k)
     words.emplace_back(name_of(static_cast<Reason>(k)));
+  return words;
+}
+
+void check_selection(const RowSelection& choice) {
+  if (choice.sort_key.empty() || choice.sort_key == "name" ||
+      figure_index(choice.sort_key) < kPlanFigureCount)
+    return;
+  const std::vector<std::string> keys = sort_keys();
+  throw InputError(fmt::format("--sort: '{}' is not one of {}{}", choice.sort_key,
+                               fmt::join(keys, ", "),
+                               config::spelling_hint(choice.sort_key, keys)));
+}
+
+std::string unknown_filter(const RowSelection& choice, const std::vector<std::string>& plan_names) {
+  const std::vector<std::string> words = filter_words();
   for (const std::string& word : choice.filters) {
     const bool is_known = std::ranges::find(words, word) != words.end() ||
                           std::ranges::any_of(plan_names, [&](const std::string& name) {
-                            return report::matches_pattern(name, word) ||
-                                   report::matches_pattern(demonstration_of(name), word);
+                            return report::plan_matches(name, word);
                           });
     if (is_known) continue;
     std::vector<std::string> candidates = words;
@@ -234,11 +244,9 @@ void check_filters(const RowSelection& choice, const std::vector<std::string>& p
 }
 
 bool is_selected(const RowSelection& choice, const PlanRow& row) {
-  const std::string demonstration = demonstration_of(row.name);
   return std::ranges::all_of(choice.filters, [&](const std::string& word) {
     return word == row.status || (word == name_of(Status::executable) && row.executable()) ||
-           (!row.reason.empty() && word == row.reason) || report::matches_pattern(row.name, word) ||
-           report::matches_pattern(demonstration, word);
+           (!row.reason.empty() && word == row.reason) || report::plan_matches(row.name, word);
   });
 }
 

@@ -50,6 +50,11 @@ struct RowSelection {
   std::vector<std::string> filters;  ///< each a status, a reason or a pattern of names
 };
 
+/// Returns the keys by which rows can be sorted.
+std::vector<std::string> sort_keys();
+/// Returns the statuses and reasons by which rows can be filtered.
+std::vector<std::string> filter_words();
+
 /// Throws InputError with the list of valid keys if the key is invalid.
 void check_selection(const RowSelection& choice);
 /// Returns the message for a filter that is no status and no reason and fits none of the plans of

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <string>
-#include <system_error>
 
-#include "core/config/spelling_hint.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/store/sandbox_probe.hpp"
+#include "pipeline/commands/shared_options.hpp"
 
 namespace morphe::commands {
 
@@ -17,10 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<fs::path> find_plans(const fs::path& named) {
-  std::error_code ignored;
-  if (!fs::exists(named, ignored))
-    throw InputError(
-        fmt::format("{}: cannot be read{}", named.string(), config::file_spelling_hint(named)));
+  expect_exists(named);
   if (!fs::is_directory(named)) return {named};
   if (fs::exists(named / "plans.h5")) return {named / "plans.h5"};
   std::vector<fs::path> found;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "core/config/spelling_hint.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
@@ -62,8 +63,8 @@ void parse_worst_option(const std::vector<std::string>& worst, report::Selection
   if (selection.worst_count < 1)
     throw InputError(fmt::format("--worst: '{}' is not a number of plans", worst[0]));
   if (std::ranges::find(names, worst[1]) == names.end())
-    throw InputError(
-        fmt::format("--worst: '{}' is not one of {}", worst[1], fmt::join(names, ", ")));
+    throw InputError(fmt::format("--worst: '{}' is not one of {}{}", worst[1],
+                                 fmt::join(names, ", "), config::spelling_hint(worst[1], names)));
   selection.ranking_measure = worst[1];
 }
 
@@ -106,7 +107,8 @@ CommandAction add_report_arguments(CLI::App& app) {
   app.add_option("--out", arguments->out, "Page to write (HTML)");
   app.add_option("--svg", arguments->svg, "Folder for one filmstrip per plan (SVG)");
   app.add_option("--plans", arguments->request.selection.pattern,
-                 "Only plans whose name matches: DEMONSTRATION/000, with * and ?");
+                 "Only plans whose name matches: DEMONSTRATION/000, with * and ?")
+      ->type_name("PLAN");
   app.add_flag("--infeasible", arguments->request.selection.infeasible_only,
                "Only infeasible plans");
   app.add_option("--worst", arguments->worst,

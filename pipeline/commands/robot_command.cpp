@@ -34,7 +34,7 @@ CommandAction add_robot_arguments(CLI::App& app) {
   app.add_option("--self-collision", arguments->samples,
                  "Print the pairs of capsules that overlap always, never or sometimes in N random "
                  "positions")
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(within({1, 1e8}));
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments, setup, &app] {
     if (app.got_subcommand("setup")) {
@@ -46,6 +46,7 @@ CommandAction add_robot_arguments(CLI::App& app) {
     if (arguments->file.empty()) throw InputError("robot: needs FILE or the subcommand setup");
     for (const std::string& out : {arguments->svg, arguments->urdf})
       files::expect_not_input(out, arguments->file);
+    expect_exists(arguments->file);
     const run::OutputFiles outputs({arguments->svg, arguments->urdf});
     const robot::RobotDescription robot = read_robot(arguments->file);
     if (!arguments->svg.empty())

@@ -32,6 +32,7 @@ struct SetupArguments {
   std::string out, name, hand, arm, elbow;
   std::vector<double> mount;
   int capsules = 0;
+  int jobs = 0;
 };
 
 std::optional<std::string> text_of(const fs::path& file) {
@@ -128,6 +129,7 @@ setup::SetupRequest request_for(const SetupArguments& arguments, const fs::path&
   request.elbow = arguments.elbow;
   request.package_paths = package_paths_of(arguments.packages);
   request.limits = limits_of(arguments.limits);
+  request.jobs = threads_of(arguments.jobs);
   if (arguments.capsules > 0) {
     setup::CapsuleBudget& budget = request.budget;
     const int capsules = arguments.capsules;
@@ -219,8 +221,9 @@ CommandAction add_robot_setup(CLI::App& robot) {
   app.add_option("--limit", arguments->limits,
                  "JOINT=LOWER..UPPER: limits of position that replace the URDF's (rad or m)")
       ->allow_extra_args(false);
+  add_jobs_option(app, arguments->jobs);
   app.add_option("--capsules", arguments->capsules, "Maximum number of capsules per link")
-      ->check(CLI::Range(1, 1000));
+      ->check(within({1, 1000}));
   return [arguments] { return execute(*arguments); };
 }
 

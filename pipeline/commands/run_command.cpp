@@ -86,7 +86,7 @@ std::vector<RobotRun> runs_of(const RunArguments& arguments, const std::string& 
       runs.push_back({robot.name, planning::run_config(std::move(robot.loaded)), nullptr, {}});
   }
   for (const fs::path& named : dataset_of(arguments, runs.front().config.loaded))
-    if (!fs::exists(named)) throw InputError(fmt::format("{}: cannot be read", named.string()));
+    expect_exists(named);
   if (!runs.front().name.empty()) common.emplace(arguments.out);
   for (RobotRun& one : runs) {
     const fs::path folder =
@@ -284,7 +284,8 @@ CommandAction add_run_arguments(CLI::App& app) {
   add_import_options(app, arguments->recordings);
   add_jobs_option(app, arguments->jobs);
   app.add_option("--set", arguments->settings,
-                 "KEY=VALUE: change a value of the config, such as map.starts=64")
+                 "Change a value of the config, such as map.starts=64")
+      ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--shard", arguments->shard,
                  "I/N: plan part I of N of the dataset; slurm: the part of this job-array task");

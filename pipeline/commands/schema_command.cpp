@@ -1,16 +1,16 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 #include "core/config/schema.hpp"
-#include "core/config/spelling_hint.hpp"
 #include "core/files/atomic_file.hpp"
 #include "core/robot/files/robot_schema.hpp"
 #include "pipeline/commands/commands.hpp"
 #include "pipeline/commands/doc_tables.hpp"
+#include "pipeline/commands/value_checks.hpp"
 #include "pipeline/planning/config_schema.hpp"
 #include "pipeline/run/output_files.hpp"
 #include "pipeline/run/output_folder.hpp"
@@ -49,16 +49,9 @@ std::string text_of(const FileKind& kind) {
   return config::schema_document(kind.title, kind.schema(meanings)).dump(1) + "\n";
 }
 
+/// Returns the kind of that name, which exists.
 const FileKind& find_file_kind(const std::string& name) {
-  std::vector<std::string> names;
-  for (const FileKind& kind : kFileKinds) {
-    if (name == kind.name) return kind;
-    names.emplace_back(kind.name);
-  }
-  const std::string hint = config::spelling_hint(name, names);
-  throw InputError(
-      fmt::format("schema: unknown kind '{}'{}", name,
-                  hint.empty() ? fmt::format("; available: {}", fmt::join(names, ", ")) : hint));
+  return *std::ranges::find_if(kFileKinds, [&](const FileKind& kind) { return kind.name == name; });
 }
 
 int write_all(const std::filesystem::path& folder) {
@@ -77,8 +70,9 @@ CommandAction add_schema_arguments(CLI::App& app) {
     std::string kind, out;
   };
   const auto arguments = std::make_shared<Arguments>();
-  app.add_option("KIND", arguments->kind,
-                 "config, manifest, robot, scene, study or synthetic (default: all)");
+  std::vector<std::string> kinds;
+  for (const FileKind& kind : kFileKinds) kinds.emplace_back(kind.name);
+  app.add_option("KIND", arguments->kind, "Kind of file (default: all)")->check(one_of(kinds));
   app.add_option("--out", arguments->out, "File to write, or folder if KIND is not given");
   return [arguments] {
     if (arguments->kind.empty() && arguments->out.empty())

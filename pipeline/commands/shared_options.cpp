@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <cstring>
 #include <thread>
 
@@ -11,11 +10,17 @@
 #include "core/files/data_files.hpp"
 #include "core/motion/count_with_noun.hpp"
 #include "core/motion/input_error.hpp"
+#include "core/motion/key_bounds.hpp"
 #include "pipeline/run/startable_threads.hpp"
 #include "stages/import/folders/given_options.hpp"
 #include "stages/import/folders/recording_formats.hpp"
 
 namespace morphe::commands {
+namespace {
+
+constexpr double kMaxJobs = 10'000;
+
+}  // namespace
 
 CLI::Validator input_file() {
   return {[](std::string& file) {
@@ -25,19 +30,15 @@ CLI::Validator input_file() {
           ""};
 }
 
-CLI::Validator one_of(const std::vector<std::string>& names) {
-  const auto check = [names](const std::string& value) -> std::string {
-    if (std::ranges::find(names, value) != names.end()) return "";
-    return fmt::format("must be {} or {}, not '{}'{}",
-                       fmt::join(names.begin(), names.end() - 1, ", "), names.back(), value,
-                       config::spelling_hint(value, names));
-  };
-  return {check, fmt::format("{{{}}}", fmt::join(names, ","))};
+void expect_exists(const std::filesystem::path& named) {
+  if (!std::filesystem::exists(named))
+    throw InputError(
+        fmt::format("{}: cannot be read{}", named.string(), config::file_spelling_hint(named)));
 }
 
 void add_jobs_option(CLI::App& app, int& jobs) {
   app.add_option("--jobs", jobs, "Number of threads (default: 0, one per core)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(within({0, kMaxJobs}));
 }
 
 int threads_of(int jobs) {
@@ -108,9 +109,10 @@ void add_import_options(CLI::App& app, imports::ImportRequest& request) {
          "Forward direction: where the body faces (body, the default), or as recorded (recorded)")
       ->check(one_of({"body", "recorded"}));
   app.add_option("--unit", request.conventions.unit,
-                 "Unit of lengths: m, cm, mm, in, ft or metres per unit");
+                 "Unit of lengths: m, cm, mm, in, ft or metres per unit")
+      ->type_name("UNIT");
   app.add_option("--rate", request.conventions.rate_hz, "Frames per second")
-      ->check(CLI::PositiveNumber);
+      ->check(within(bounds::kRate));
   app.add_option("--joint-order", request.conventions.joint_order,
                  "Order of the hand joints in a clip, such as openpose or mano");
   app.add_option_function<std::string>(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/commands/plan_row.hpp"
+#include "pipeline/commands/value_checks.hpp"
 #include "stages/import/import.hpp"
 
 namespace morphe::commands {
@@ -17,12 +18,12 @@ CLI::Validator input_file();
 /// Adds an option with input_file().
 template <class Value>
 CLI::Option* add_input_option(CLI::App& app, const char* name, Value& value, const char* help) {
-  return app.add_option(name, value, help)->transform(input_file());
+  return app.add_option(name, value, help)->transform(input_file())->type_name("FILE");
 }
 
-/// Returns a check that a value is one of `names`; the message says what a renamed or misspelt one
-/// is called.
-CLI::Validator one_of(const std::vector<std::string>& names);
+/// Throws InputError "FILE: cannot be read; did you mean …?" if a file or folder to be read does
+/// not exist.
+void expect_exists(const std::filesystem::path& named);
 
 /// Adds --jobs N; 0 (the default) means one thread per core.
 void add_jobs_option(CLI::App& app, int& jobs);

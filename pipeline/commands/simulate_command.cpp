@@ -167,12 +167,10 @@ CommandAction add_simulate_arguments(CLI::App& app) {
   app.add_option("--mass", options.mass_kg, "Mass of the target, kg (default: 0.3)");
   app.add_option("--friction-range", arguments->friction_range,
                  "FROM TO: range of the friction in all rollouts but the first")
-      ->expected(2)
-      ->type_name("FROM TO");
+      ->expected(2);
   app.add_option("--mass-range", arguments->mass_range,
                  "FROM TO: range of the mass in all rollouts but the first, kg")
-      ->expected(2)
-      ->type_name("FROM TO");
+      ->expected(2);
   app.add_option("--contacts", arguments->contacts,
                  "planned: contacts and grasp force of the plan, if it has them; nearest: nearest "
                  "points of the fingers with goals")

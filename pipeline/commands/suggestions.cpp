@@ -4,28 +4,17 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <set>
 
 #include "core/config/spelling_hint.hpp"
 
 namespace morphe::commands {
 namespace {
 
-/// Returns the command that the words name, following them as far as possible.
-const CLI::App& command_of(const CLI::App& app, const std::vector<std::string>& words) {
+/// Returns the command that was parsed, or the subcommand of it.
+const CLI::App& parsed_command(const CLI::App& app) {
   const CLI::App* command = &app;
-  for (const std::string& word : words) {
-    const auto inner =
-        command->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
-    if (inner.empty()) break;
-    command = inner.front();
-  }
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
   return *command;
-}
-
-bool takes_value(const CLI::App& app, const std::string& name) {
-  const CLI::Option* const option = app.get_option_no_throw(name);
-  return option && option->get_expected_max() > 0;
 }
 
 }  // namespace
@@ -52,31 +41,28 @@ std::string unknown_command(const CLI::App& app, std::string_view word) {
 }
 
 std::string unknown_options(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  const CLI::App& command = parsed_command(app);
   std::string lines;
-  for (const std::string& word : command->remaining()) {
+  for (const std::string& word : command.remaining()) {
     if (word.size() < 2 || word[0] != '-') continue;
     const std::string name = word.substr(0, word.find('='));
-    lines += fmt::format("{}: unknown option {}{}\n", command->get_name(), name,
-                         config::spelling_hint(name, option_names(*command)));
+    lines += fmt::format("{}: unknown option {}{}\n", command.get_name(), name,
+                         config::spelling_hint(name, option_names(command)));
   }
   return lines;
 }
 
-std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words) {
-  if (words.empty()) return {};
-  const std::vector<std::string> before(words.begin(), words.end() - 1);
-  const CLI::App& command = command_of(app, before);
-  if (!before.empty() && takes_value(command, before.back())) return {};
-  const std::string& prefix = words.back();
-  std::set<std::string> names;
-  for (const std::string& name :
-       prefix.starts_with('-') ? option_names(command) : command_names(command))
-    if (name.starts_with(prefix)) names.insert(name);
-  if (prefix.starts_with('-') && std::string_view("--help").starts_with(prefix))
-    names.insert("--help");
-  return {names.begin(), names.end()};
+std::string repeated_options(const CLI::App& app) {
+  const CLI::App& command = parsed_command(app);
+  std::string lines;
+  for (const CLI::Option* const option : command.get_options()) {
+    const std::size_t given = option->results().size();
+    const auto most = static_cast<std::size_t>(option->get_items_expected_max());
+    if (most == 0 || given <= most) continue;
+    lines +=
+        fmt::format("{}: {} is given more than once\n", command.get_name(), option->get_name());
+  }
+  return lines;
 }
 
 }  // namespace morphe::commands

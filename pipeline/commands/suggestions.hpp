@@ -22,8 +22,8 @@ std::string unknown_command(const CLI::App& app, std::string_view word);
 /// no such option. To be called after the command line was parsed, successfully or not.
 std::string unknown_options(const CLI::App& app);
 
-/// Returns the shell completions of the last word of a command line. `words` are those after the
-/// program's name. The result is empty if the last word is a file or another value.
-std::vector<std::string> completions(const CLI::App& app, const std::vector<std::string>& words);
+/// Returns a line for each option that was given more often than it takes values, "" if there is no
+/// such option. To be called after the command line was parsed.
+std::string repeated_options(const CLI::App& app);
 
 }  // namespace morphe::commands

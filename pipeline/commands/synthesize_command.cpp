@@ -76,7 +76,7 @@ CommandAction add_synthesize_arguments(CLI::App& app) {
                  "The demonstrations.h5 to write; the ground truth goes to F.truth.h5 next to it")
       ->required();
   app.add_option("--count", arguments->count, "Number of demonstrations (default: 100)")
-      ->check(CLI::PositiveNumber);
+      ->check(within(bounds::kCount));
   app.add_option("--seed", arguments->seed, "Random seed (default: 1)");
   add_jobs_option(app, arguments->jobs);
   return [arguments] { return execute(*arguments); };

@@ -28,6 +28,7 @@ CommandAction add_verify_arguments(CLI::App& app) {
   app.add_flag("--json", arguments->json, "Print JSON");
   return [arguments] {
     const std::filesystem::path plans = find_plans_file(arguments->file);
+    if (!arguments->dataset.empty()) expect_exists(arguments->dataset);
     const int jobs = threads_of(arguments->jobs);
     verify::VerifyReport report = verify_and_note(plans, jobs);
     if (!arguments->dataset.empty())

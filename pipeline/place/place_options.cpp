@@ -1,5 +1,7 @@
 #include "pipeline/place/place_options.hpp"
 
+#include <fmt/format.h>
+
 #include <numbers>
 
 namespace morphe::place {
@@ -9,10 +11,17 @@ std::string validation_error(const PlaceOptions& options) {
     return "tilt: must be from 0 to 90 degrees";
   if (!(options.person_clearance_m >= 0 && options.person_clearance_m < 1))
     return "person-clearance: must be from 0 to 1 m";
-  if (options.samples < options.candidates || options.candidates < options.refine ||
-      options.refine < options.plan || options.plan < 1)
-    return "must satisfy samples >= candidates >= refine >= plan >= 1";
-  if (options.movements < 1 || options.jobs < 1) return "movements and jobs: must be positive";
+  const auto among = [](const char* key, int value, int most, const char* all) {
+    if (value >= 1 && value <= most) return std::string();
+    return fmt::format("{}: must be 1 to {}, {}, not {}", key, most, all, value);
+  };
+  for (const std::string& error :
+       {among("candidates", options.candidates, options.samples, "the number of poses"),
+        among("refine", options.refine, options.candidates, "the number of candidates"),
+        among("plan", options.plan, options.refine, "the number of those that are refined")})
+    if (!error.empty()) return error;
+  if (options.movements < 1) return "movements: must be at least 1";
+  if (options.jobs < 1) return "jobs: must be at least 1";
   return "";
 }
 

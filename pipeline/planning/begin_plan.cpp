@@ -10,6 +10,8 @@ Plan begin_plan(const Demonstration& demonstration, const Movement& movement,
   plan.demonstration = demonstration.name;
   plan.subject = demonstration.subject;
   plan.task = demonstration.task;
+  plan.source = demonstration.source;
+  plan.licence = demonstration.licence;
   plan.hand = demonstration.hand;
   plan.movement = movement;
   plan.recording_assumptions = demonstration.assumptions;

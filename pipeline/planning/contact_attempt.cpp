@@ -6,18 +6,16 @@
 #include <utility>
 
 #include "core/math/seed.hpp"
-#include "core/robot/tree.hpp"
+#include "pipeline/planning/close_hand.hpp"
 #include "pipeline/planning/constants.hpp"
 #include "pipeline/planning/contact_posture.hpp"
 #include "pipeline/planning/held_path.hpp"
 #include "pipeline/planning/re_solve.hpp"
 #include "pipeline/planning/repair_movement.hpp"
 #include "stages/check/check_path.hpp"
-#include "stages/grasp/close_fingers.hpp"
 #include "stages/grasp/closure_goals.hpp"
 #include "stages/grasp/demonstrated_contacts.hpp"
 #include "stages/grasp/held_goals.hpp"
-#include "stages/grasp/measure.hpp"
 #include "stages/map/map_movement.hpp"
 #include "stages/map/re_solve_path.hpp"
 
@@ -83,74 +81,21 @@ JointVector stay_weights_of_arm(const robot::Robot& robot) {
   return stay;
 }
 
-/// Returns the joints between the palm and a tip.
-std::vector<int> joints_of_finger(const robot::Robot& robot, std::size_t tip) {
-  std::vector<int> joints;
-  for (int joint = 0; joint < static_cast<int>(robot.joints()); ++joint) {
-    const bool of_arm = std::ranges::find(robot.arm_joints, joint) != robot.arm_joints.end();
-    if (!of_arm && robot::joint_moves_frame(robot, joint, robot.tips[tip].frame))
-      joints.push_back(joint);
-  }
-  return joints;
-}
-
-/// Returns weights with which only the finger of a tip moves.
-JointVector stay_weights_except_finger(const robot::Robot& robot, std::size_t tip) {
-  JointVector stay =
-      JointVector::Constant(static_cast<Eigen::Index>(robot.joints()), kHeldHandWeight);
-  for (const int joint : joints_of_finger(robot, tip)) stay[joint] = 0;
-  return stay;
-}
-
-/// Returns the angle between pad and surface of the contact of a tip, or infinity if the pad does
-/// not touch.
-double angle_if_touching(const ContactContext& context, double time_s,
-                         const ContactPosture& posture, std::size_t tip) {
-  const std::vector<PadContact> contacts =
-      grasp::measure_contacts(context.world, posture.contacts, posture.q, time_s);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (posture.contacts[k].tip == tip && contacts[k].state == ContactState::touching)
-      return contacts[k].pad_angle;
-  }
-  return kInfinity;
-}
-
-/// Turns a finger that has closed, in the posture `touching`, so that its pad slides until it faces
-/// the surface as well as it can. Nothing changes if that is no better.
-void face_surface(const ContactContext& context, std::size_t tip, std::size_t frame,
-                  JointVector& touching, ContactAttempt& attempt) {
-  ContactPosture facing = touching_posture(context, attempt, frame, touching,
-                                           stay_weights_except_finger(context.planner.robot, tip));
-  const double time_s = attempt.plan.goals.time[frame];
-  const auto angle = [&](const ContactPosture& posture) {
-    return angle_if_touching(context, time_s, posture, tip);
-  };
-  if (!(angle(facing) < angle({touching, attempt.contacts}))) return;
-  touching = std::move(facing.q);
-  attempt.contacts = std::move(facing.contacts);
-}
-
 /// Closes the fingers without goals at the frame of the grasp, in the posture `touching` too.
 void close_other_fingers(const ContactContext& context, const std::vector<std::string>& given_up,
                          std::size_t frame, JointVector& touching, ContactAttempt& attempt) {
   const robot::Robot& robot = context.planner.robot;
-  const Goals& goals = attempt.plan.goals;
-  const Movement& movement = attempt.plan.movement;
-  std::vector<std::size_t> tips =
-      grasp::tips_without_goals(robot, goals, grasp::hold_interval(movement));
+  std::vector<std::size_t> tips = grasp::tips_without_goals(
+      robot, attempt.plan.goals, grasp::hold_interval(attempt.plan.movement));
   std::erase_if(tips, [&](std::size_t tip) {
     return std::ranges::find(given_up, robot.tips[tip].name) != given_up.end();
   });
-  grasp::FingerClosures closed =
-      grasp::close_fingers(context.world, goals.time[frame], tips, touching);
-  std::ranges::move(closed.open_reasons, std::back_inserter(attempt.notes));
-  for (const grasp::FingerClosure& closing : closed.closings) {
-    attempt.contacts.push_back(closing.contact);
-    touching += closing.turn;
-  }
-  touching = touching.cwiseMax(robot.lower).cwiseMin(robot.upper);
-  for (const grasp::FingerClosure& closing : closed.closings)
-    face_surface(context, closing.contact.tip, frame, touching, attempt);
+  ContactPosture closed{touching, attempt.contacts};
+  attempt.notes = close_hand(
+      with_clearance_weights(problem_of(context, context.world, attempt), kContactPostureWeights),
+      frame, tips, context.planner.config.map, context.seed, closed);
+  touching = std::move(closed.q);
+  attempt.contacts = std::move(closed.contacts);
 }
 
 /// Lets the hand keep the posture `touching` until the release, and the arm follow the target.
@@ -216,7 +161,8 @@ JointRows settle_path(const ContactContext& context, const ContactAttempt& attem
 }
 
 /// Solves the plan's path again with high weights if it is only nearly free, with kExtraMargin_m at
-/// first. Returns the reason if findings remain without this margin.
+/// first. `problem` keeps the pads on their contacts as settle_path() did. Returns the reason if
+/// findings remain without this margin.
 PlanningFailure free_path(const ContactContext& context, const map::MappingProblem& problem,
                           Plan& plan) {
   const PipelineConfig& config = context.planner.config;
@@ -255,7 +201,8 @@ ContactAttempt try_contacts(const ContactContext& context, const ContactRequest&
   const map::MappingProblem problem = problem_of(context, context.world, attempt);
   plan.path.position = settle_path(context, attempt);
   const JointRows mapped = plan.path.position;
-  attempt.failure = free_path(context, problem, plan);
+  attempt.failure =
+      free_path(context, with_clearance_weights(problem, {1, 1, kContactWeights.tips}), plan);
   if (attempt.failure) return attempt;
   // The path for the tips may have been changed by a repair that did not free it.
   plan.repaired = std::ranges::any_of(

@@ -6,6 +6,8 @@
 #include "core/motion/goal_interpolation.hpp"
 #include "core/robot/forward_kinematics.hpp"
 #include "pipeline/report/select_display_rows.hpp"
+#include "stages/certify/goal_errors.hpp"
+#include "stages/certify/posture_errors.hpp"
 
 namespace morphe::report {
 namespace {
@@ -68,10 +70,12 @@ void add_separations(const collision::CollisionWorld& world, DisplayMotion& moti
   }
 }
 
-/// Sets the tips' errors from their goals at the same time of the demonstration, and metric A.
+/// Sets the errors of tips and arm against the person at the same time of the demonstration, and
+/// metric A.
 void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotion& motion) {
   const Eigen::Index rows = std::ssize(motion.time), tips = std::ssize(robot.tips);
   motion.tip_error = motion.tip_orientation_error = JointRows::Constant(rows, tips, kUnknown);
+  motion.arm_error = JointRows::Constant(rows, 4, kUnknown);
   motion.humanlikeness.assign(rows, kUnknown);
   if (goals.frames() == 0) return;
   std::vector<Pose> base_from_frame;
@@ -87,6 +91,10 @@ void add_goal_errors(const robot::Robot& robot, const Goals& goals, DisplayMotio
       if (is_known(goal))
         motion.tip_orientation_error(row, tip) = angle_between(Quat(base_from_tip.linear()), goal);
     }
+    const certify::PostureErrors posture =
+        certify::posture_errors_at(robot, base_from_frame, goals, time_s);
+    motion.arm_error.row(row) << certify::upper_arm_error(robot, base_from_frame, goals, time_s),
+        posture.forearm, posture.swivel, posture.palm;
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
     const Vec3 elbow = interpolate_point(goals.elbow_position, frame_interpolation(goals, time_s));
     if (!centres.empty() && is_known(elbow))

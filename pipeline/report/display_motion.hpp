@@ -32,6 +32,7 @@ struct DisplayMotion {
   std::vector<Pose> target_pose;               ///< [T] base_from_object where the target has moved
   std::vector<std::uint8_t> target_moved;      ///< [T] 0 while the target moves as recorded, else 1
   JointRows tip_error, tip_orientation_error;  ///< [T, m] [m], full angle [rad]; NaN without a goal
+  JointRows arm_error;  ///< [T, 4] of upper arm, forearm, swivel angle and palm [rad]; NaN: unknown
   std::vector<double> humanlikeness;   ///< [T] metric A, summed over the arm's centres [m^2]
   std::vector<double> mean_tip_speed;  ///< [T] of the tips with goals [m/s]
 };
@@ -43,9 +44,9 @@ inline constexpr double kDisplayRate_hz = 60;
 /// Returns the index of a capsule or object, where the scene's objects follow the robot's capsules.
 int body_index(const RobotModel& robot, bool is_object, int body);
 
-/// Builds the displayed motion of a trajectory of a plan. Errors of the tips and metric A are only
-/// computed if `follows_goals`, which is false for approach and retreat. In `world`, the target
-/// must be attached (collision::attach_target).
+/// Builds the displayed motion of a trajectory of a plan. Errors of tips and arm and metric A are
+/// only computed if `follows_goals`, which is false for approach and retreat. In `world`, the
+/// target must be attached (collision::attach_target).
 DisplayMotion display_trajectory(const std::string& name, const collision::CollisionWorld& world,
                                  const Plan& plan, const Trajectory& trajectory,
                                  bool follows_goals);

@@ -30,15 +30,19 @@ std::optional<Eigen::Matrix3d> world_from_base(const std::string& config,
 bool any_plan_matches(const std::vector<OpenedRun>& runs, const std::string& pattern) {
   return std::ranges::any_of(runs, [&](const OpenedRun& run) {
     return std::ranges::any_of(run.reader->plan_paths(), [&](const std::string& path) {
-      return matches_pattern(path, pattern);
+      return plan_matches(path, pattern);
     });
   });
 }
 
+/// Returns the names of all plans and of their demonstrations.
 std::vector<std::string> plan_names(const std::vector<OpenedRun>& runs) {
   std::vector<std::string> names;
   for (const OpenedRun& run : runs)
-    names.insert(names.end(), run.reader->plan_paths().begin(), run.reader->plan_paths().end());
+    for (const std::string& path : run.reader->plan_paths()) {
+      names.push_back(path);
+      names.push_back(path.substr(0, path.rfind('/')));
+    }
   return names;
 }
 

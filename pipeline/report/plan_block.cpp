@@ -155,6 +155,7 @@ Json motion_json(Block& block, const RobotModel& robot, const DisplayMotion& mot
     json["tip_error"] = block.table(motion.tip_error, Resolution::kError);
     json["tip_orientation_error"] =
         block.table(motion.tip_orientation_error, Resolution::kAngle_rad);
+    json["arm_error"] = block.table(motion.arm_error, Resolution::kAngle_rad);
     json["humanlikeness"] = block.column(motion.humanlikeness, Resolution::kError);
   }
   if (!motion.mean_tip_speed.empty())
@@ -221,6 +222,8 @@ Json findings_json(const std::vector<Finding>& findings) {
     out.push_back({{"begin_s", finding.begin_s},
                    {"end_s", finding.end_s},
                    {"cause", name_of(finding.cause)},
+                   {"subject", finding.subject},
+                   {"other", finding.other_body},
                    {"sentence", sentence(finding)}});
   }
   return out;

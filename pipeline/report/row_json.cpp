@@ -31,6 +31,12 @@ Json joints_json(const RobotModel& robot) {
 
 }  // namespace
 
+Json assumption_json(const Assumption& assumption) {
+  return {{"kind", name_of(assumption.kind)},
+          {"subject", assumption.subject},
+          {"text", phrase(assumption)}};
+}
+
 Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path) {
   const GoalCount goals = count_goals(plan.goals);
   store::JsonWriter certificate;
@@ -67,7 +73,7 @@ Json row_json(const RobotModel& robot, const Plan& plan, const std::string& path
   for (const RecordingFlag& flag : plan.flags) row["flags"].push_back(sentence(flag));
   row["assumptions"] = Json::array();
   for (const Assumption& each : plan_assumptions(plan))
-    row["assumptions"].push_back({{"kind", name_of(each.kind)}, {"text", phrase(each)}});
+    row["assumptions"].push_back(assumption_json(each));
   row["mirrored"] = plan.hand != robot.side;
   return row;
 }

@@ -89,6 +89,11 @@ bool matches_pattern(std::string_view name, std::string_view pattern) {
          matches_pattern(name.substr(1), pattern.substr(1));
 }
 
+bool plan_matches(std::string_view path, std::string_view pattern) {
+  return matches_pattern(path, pattern) ||
+         matches_pattern(path.substr(0, path.rfind('/')), pattern);
+}
+
 SelectedPlans select_plans(const store::PlanReader& reader, const Selection& selection) {
   const auto measure =
       std::ranges::find(kRankingMeasures, selection.ranking_measure, &RankingMeasure::name);
@@ -97,7 +102,7 @@ SelectedPlans select_plans(const store::PlanReader& reader, const Selection& sel
   std::vector<double> values;
   const std::vector<std::string>& paths = reader.plan_paths();
   for (int i = 0; i < std::ssize(paths); ++i) {
-    if (!selection.pattern.empty() && !matches_pattern(paths[i], selection.pattern)) continue;
+    if (!selection.pattern.empty() && !plan_matches(paths[i], selection.pattern)) continue;
     if (reads_plans) {
       const Plan plan = reader.read(i);
       if (selection.infeasible_only && plan.has_trajectory()) continue;

@@ -32,4 +32,7 @@ SelectedPlans select_plans(const store::PlanReader& reader, const Selection& sel
 /// Returns true if a name matches a pattern of * and ?.
 bool matches_pattern(std::string_view name, std::string_view pattern);
 
+/// Returns true if a plan "<demonstration>/<000>" or its demonstration matches a pattern.
+bool plan_matches(std::string_view path, std::string_view pattern);
+
 }  // namespace morphe::report

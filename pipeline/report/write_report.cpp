@@ -8,7 +8,6 @@
 #include "core/files/atomic_file.hpp"
 #include "core/files/base64.hpp"
 #include "core/files/sha256.hpp"
-#include "core/motion/assumption_text.hpp"
 #include "core/motion/input_error.hpp"
 #include "core/motion/version.hpp"
 #include "core/parallel/ordered_parallel_map.hpp"
@@ -30,7 +29,8 @@ using Json = nlohmann::ordered_json;
 /// The page as an output stream. A write error is thrown as InputError by block() or finish().
 class PageWriter {
  public:
-  explicit PageWriter(const fs::path& file) : file_(file), stream_(file, std::ios::binary) {
+  explicit PageWriter(const files::AtomicFile& page)
+      : file_(page.part()), stream_(page.open_stream()) {
     check();
   }
   void add(std::string_view text) { stream_ << text; }
@@ -91,7 +91,7 @@ Json run_json(const OpenedRun& run, const std::vector<FrameMesh>& meshes) {
   json["config"] = header.config;
   json["assumptions"] = Json::array();
   for (const Assumption& each : header.assumptions)
-    json["assumptions"].push_back({{"kind", name_of(each.kind)}, {"text", phrase(each)}});
+    json["assumptions"].push_back(assumption_json(each));
   json["not_verified"] = run.request.not_verified;
   json["plans"] = run.reader->size();
   json["shown"] = run.selected.plans.size();
@@ -217,7 +217,7 @@ ReportSummary write_report(const ReportRequest& request, const fs::path& file) {
   }
 
   files::AtomicFile finished(file);
-  PageWriter page(finished.part());
+  PageWriter page(finished);
   const PageParts parts;
   std::string_view rest = page_file("index.html");
   page.add(take_until(rest, "<!--policy-->"));

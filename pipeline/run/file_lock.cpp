@@ -40,6 +40,7 @@ FileLock::FileLock(std::filesystem::path file, const std::filesystem::path& outp
   constexpr int kMaxLockAttempts = 1000;
   std::error_code not_created;
   for (int i = 0; i < kMaxLockAttempts; ++i) {
+    const auto held = files::hold_end();
     if (makes_folder) std::filesystem::create_directories(file_.parent_path(), not_created);
     descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno == ENOENT && makes_folder) continue;

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <set>
 
 #include "core/cover/fit_capsules.hpp"
 #include "core/math/rotation.hpp"
+#include "core/parallel/for_each.hpp"
 #include "core/robot/tree.hpp"
 
 namespace morphe::setup {
@@ -91,6 +94,27 @@ cover::FitOptions fit_options(const Kinematics& robot, int frame, const std::vec
   return {outer ? budget.wrist : budget.arm};
 }
 
+/// Fits capsules to the shapes of every frame that has some, on several threads.
+std::map<int, cover::CapsuleFit> fit_shapes(const LinkShapes& shapes, int jobs,
+                                            const std::function<void(const std::string&)>& progress,
+                                            const std::function<cover::CapsuleFit(int)>& fit) {
+  std::vector<int> frames;
+  for (const auto& [frame, bodies] : shapes.shapes_by_frame) frames.push_back(frame);
+  std::map<int, cover::CapsuleFit> fits;
+  const auto tell = [&] {
+    if (progress) progress(fmt::format("{} of {} links covered", fits.size(), frames.size()));
+  };
+  tell();
+  parallel::ordered_for_each<cover::CapsuleFit>(
+      static_cast<int>(frames.size()), jobs,
+      [&](std::uint64_t index) { return fit(frames[index]); },
+      [&](const cover::CapsuleFit& found) {
+        fits.emplace(frames[fits.size()], found);
+        tell();
+      });
+  return fits;
+}
+
 }  // namespace
 
 std::vector<RobotModel::Capsule> capsules_of(const cover::CapsuleFit& fit) {
@@ -107,23 +131,22 @@ std::vector<RobotModel::Capsule> capsules_of(const cover::CapsuleFit& fit) {
 std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector<int>& arm,
                                       const Hand* hand, const std::vector<Pad>& pads,
                                       const LinkShapes& shapes, const CapsuleBudget& budget,
+                                      int jobs,
                                       const std::function<void(const std::string&)>& progress) {
+  const std::map<int, cover::CapsuleFit> fits = fit_shapes(shapes, jobs, progress, [&](int frame) {
+    return cover::fit_capsules(shapes.shapes_by_frame.at(frame),
+                               fit_options(robot, frame, arm, hand, budget), robot.link[frame]);
+  });
   std::vector<LinkCapsules> links;
-  int covered = 0;
   std::set<int> shaped;  // moving frames of bodies with shapes
   for (const auto& [frame, objects] : shapes.shapes_by_frame)
     shaped.insert(robot::moving_frame_of(robot.table(), frame));
   for (int frame = 0; frame < std::ssize(robot.table().frames); ++frame) {
     if (shapes.shapes_by_frame.contains(frame)) {
-      if (progress)
-        progress(fmt::format("covering link {} of {}: {}", ++covered, shapes.shapes_by_frame.size(),
-                             robot.link[frame]));
       LinkCapsules& link = links.emplace_back();
       link.frame = frame;
-      const cover::FitOptions options = fit_options(robot, frame, arm, hand, budget);
-      const cover::CapsuleFit cover =
-          cover::fit_capsules(shapes.shapes_by_frame.at(frame), options, robot.link[frame]);
-      link.aim_m = options.aim_m;
+      const cover::CapsuleFit& cover = fits.at(frame);
+      link.aim_m = fit_options(robot, frame, arm, hand, budget).aim_m;
       link.capsules = capsules_of(cover);
       link.figures = cover.quality;
       for (const Pad& pad : pads) {

@@ -39,10 +39,12 @@ std::vector<RobotModel::Capsule> capsules_of(const cover::CapsuleFit& fit);
 /// Covers every link with capsules, fitted to its shapes. A link without shapes between two joints
 /// would not be checked for collisions: it gets a capsule from joint to joint, of a thickness that
 /// follows from its inertia (assumed). `arm` are the moving frames of the arm; `hand` may be null.
-/// `progress`, which may be empty, is called before each link that has shapes.
+/// `progress`, which may be empty, is called after each link that has shapes, of which `jobs` are
+/// covered at once; their number does not change the result.
 std::vector<LinkCapsules> cover_links(const Kinematics& robot, const std::vector<int>& arm,
                                       const Hand* hand, const std::vector<Pad>& pads,
                                       const LinkShapes& shapes, const CapsuleBudget& budget,
+                                      int jobs,
                                       const std::function<void(const std::string&)>& progress);
 
 }  // namespace morphe::setup

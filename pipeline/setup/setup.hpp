@@ -22,6 +22,7 @@ struct SetupRequest {
   robot::GivenLimits limits;  ///< of position, which replace those of the URDF
   PackagePaths package_paths;
   CapsuleBudget budget;
+  int jobs = 1;  ///< threads
   /// Called with a clause about each step that may take seconds; may be empty.
   std::function<void(const std::string& step)> progress;
 };

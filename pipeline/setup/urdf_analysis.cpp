@@ -27,7 +27,7 @@ UrdfAnalysis analyse_urdf(const Kinematics& robot, const SetupRequest& request, 
     found.flange = find_flange(robot, *found.roles, shapes.points);
   }
   found.capsules = cover_links(robot, found.arm, found.hand ? &*found.hand : nullptr, found.pads,
-                               shapes, request.budget, request.progress);
+                               shapes, request.budget, request.jobs, request.progress);
   return found;
 }
 

@@ -36,6 +36,17 @@ double tolerance_of(const Tolerances& tolerances, bool grasp) {
 
 }  // namespace
 
+double upper_arm_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
+                       const Goals& goals, double time_s) {
+  const FrameInterpolation frame = frame_interpolation(goals, time_s);
+  const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
+  const Vec3 human = interpolate_point(goals.elbow_position, frame) -
+                     interpolate_point(goals.shoulder_position, frame);
+  if (centres.empty() || !is_known(human)) return kUnknown;
+  const Pose& shoulder = base_from_frame[robot.shoulder_frame];
+  return humanlike::direction_error(human, centres.front() - shoulder.translation());
+}
+
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory) {
   GoalErrors out;
@@ -66,16 +77,12 @@ GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Move
       out.worst_sample = sample;
       out.worst_tip = tip;
     }
-    const FrameInterpolation frame = frame_interpolation(goals, time_s);
     const std::vector<Vec3> centres = robot::arm_centre_positions(robot, base_from_frame);
-    const Vec3 elbow = interpolate_point(goals.elbow_position, frame);
+    const Vec3 elbow = interpolate_point(goals.elbow_position, frame_interpolation(goals, time_s));
     if (centres.empty() || !is_known(elbow)) continue;
     humanlikeness.add(humanlike::joint_distance_sum(elbow, centres));
-    const Vec3 human = elbow - interpolate_point(goals.shoulder_position, frame);
-    if (!is_known(human)) continue;
-    const Pose& shoulder = base_from_frame[robot.shoulder_frame];
-    const double angle =
-        humanlike::direction_error(human, centres.front() - shoulder.translation());
+    const double angle = upper_arm_error(robot, base_from_frame, goals, time_s);
+    if (std::isnan(angle)) continue;
     upper_arm.add(angle);
     out.upper_arm_max = std::fmax(out.upper_arm_max, angle);
   }

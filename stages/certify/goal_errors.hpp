@@ -16,6 +16,11 @@ struct GoalErrors {
   double worst_excess = kUnknown, worst_error = kUnknown, worst_tolerance = kUnknown;
   int worst_sample = -1, worst_tip = -1;
 };
+/// Returns the angle between the robot's upper arm, from its shoulder frame to the first joint
+/// centre, and the person's at a demonstration time [rad]; NaN if one of them is unknown.
+double upper_arm_error(const robot::Robot& robot, const std::vector<Pose>& base_from_frame,
+                       const Goals& goals, double time_s);
+
 /// Computes the errors of a trajectory at its samples.
 GoalErrors goal_errors(const robot::Robot& robot, const Goals& goals, const Movement& movement,
                        const Tolerances& tolerances, const Trajectory& trajectory);

@@ -32,6 +32,13 @@ Json motion_json(const IndexedMotion& motion, const ExportIndex& index) {
                {"duration_s", motion.duration_s},
                {"points", motion.points},
                {"files", files}};
+  json["phases"] = Json::array();
+  for (const IndexedPhase& phase : motion.phases)
+    json["phases"].push_back({{"phase", name_of(phase.kind)},
+                              {"begin_s", phase.begin_s},
+                              {"end_s", phase.end_s},
+                              {"first_point", phase.first_point},
+                              {"last_point", phase.last_point}});
   if (index.has_limits) {
     const auto& [quintic, cubic] = motion.limits;
     json["limit_ratio"] = {{"velocity", quintic.velocity.ratio},
@@ -66,6 +73,8 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
                {"points_per_sample", index.motion.parts},
                {"delay_s", index.motion.delay_s},
                {"approach", name_of(index.motion.approach)}};
+  if (index.motion.uniform) json["purpose"] = "for learning, not for execution";
+  if (!index.where.empty()) json["where"] = index.where;
   if (!index.not_verified.empty()) json["not_verified"] = index.not_verified;
   json["assumptions"] = assumptions_json(header.assumptions);
   json["groups"] = Json::object();
@@ -79,6 +88,7 @@ std::string index_json(const ExportIndex& index, const PlanFileHeader& header,
         {"plan", plan.plan}, {"status", name_of(plan.status)},         {"subject", plan.subject},
         {"task", plan.task}, {"flags", store::flags_json(plan.flags)}, {"motions", motions}};
     entry["assumptions"] = assumptions_json(plan.assumptions);
+    if (!plan.side.empty()) entry["split"] = plan.side;
     if (!plan.grasp_files.empty()) entry["grasp"] = plan.grasp_files;
     json["plans"].push_back(entry);
   }

@@ -11,13 +11,21 @@
 
 namespace morphe::exports {
 
+/// A phase of an exported motion, as a segment of its points.
+struct IndexedPhase {
+  PhaseKind kind = PhaseKind::rest;
+  std::size_t first_point = 0, last_point = 0;
+  double begin_s = 0, end_s = 0;  ///< in the motion; it ends where the next one begins
+};
+
 /// The files of one exported motion.
 struct IndexedMotion {
   std::string name;  ///< trajectory, approach or retreat
   double duration_s = 0;
   std::size_t points = 0;          ///< number of points
   std::vector<std::string> files;  ///< one per group
-  MotionLimitUse limits;           ///< between the points; only of text formats
+  std::vector<IndexedPhase> phases;
+  MotionLimitUse limits;  ///< between the points; only of text formats
 };
 
 /// The exported files of one plan.
@@ -25,6 +33,7 @@ struct IndexedPlan {
   std::string plan;                    ///< <demonstration>/<000>
   Status status = Status::executable;  ///< executable, approximate or partial
   std::string subject, task;
+  std::string_view side;                ///< train or valid, "" without a split
   std::vector<RecordingFlag> flags;     ///< doubts about the recording
   std::vector<Assumption> assumptions;  ///< about recording and objects
   std::vector<IndexedMotion> motions;
@@ -40,6 +49,7 @@ struct SkippedPlan {
 struct ExportIndex {
   std::string format;        ///< one of export_format_names()
   std::string not_verified;  ///< as in ExportOptions
+  std::string where;         ///< as in ExportOptions
   MotionOptions motion;
   double rate_hz = 0;       ///< rate of the points, resampled or not
   bool has_limits = false;  ///< true if the motions have their limits

@@ -6,8 +6,8 @@
 
 #include "core/store/json_layout.hpp"
 #include "core/store/plan_layout.hpp"
-#include "stages/export/csv_cell.hpp"
 #include "stages/export/joint_group.hpp"
+#include "stages/export/table/csv_cell.hpp"
 
 namespace morphe::exports {
 namespace {

@@ -73,8 +73,9 @@ PlanMotions motions_of(const RobotModel& robot, const Plan& plan, const MotionOp
         return {{}, fmt::format("{}: does not begin at rest: {}", motion.name, error)};
       motion.trajectory = add_initial_wait(motion.trajectory, options.delay_s);
     }
-    motion.trajectory = options.rate_hz > 0 ? resample(motion.trajectory, options.rate_hz)
-                                            : subdivide(motion.trajectory, options.parts);
+    motion.trajectory = options.uniform ? resample_uniformly(motion.trajectory, options.rate_hz)
+                        : options.rate_hz > 0 ? resample(motion.trajectory, options.rate_hz)
+                                              : subdivide(motion.trajectory, options.parts);
   }
   return selected;
 }

@@ -22,6 +22,8 @@ struct MotionOptions {
   double delay_s = 0;  ///< time for which each motion waits in its first posture [s]
   double rate_hz = 0;  ///< rate of the points [Hz]; 0 keeps the plan's own samples …
   int parts = 1;       ///< … and divides each interval between them into so many
+  /// True if all points are at k / rate_hz > 0, also the last one (resample_uniformly()).
+  bool uniform = false;
 };
 
 /// A motion that the robot executes without interruption.

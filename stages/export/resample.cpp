@@ -104,6 +104,22 @@ Trajectory points_of(const Trajectory& from, const std::vector<CurvePoint>& poin
   return to;
 }
 
+/// Returns the points at these times since the begin; the last one is the end of the trajectory.
+std::vector<CurvePoint> curve_points(const Trajectory& from, const std::vector<double>& time) {
+  const Eigen::Index end = last_of(from);
+  std::vector<CurvePoint> points;
+  Eigen::Index sample = 0;
+  for (const double time_s : time) {
+    const double t = from.time[0] + time_s;
+    while (sample + 1 < end && from.time[sample + 1] <= t) ++sample;
+    points.push_back({time_s, sample, t - from.time[sample]});
+  }
+  points.back() = {points.back().time_s, end, 0};
+  return points;
+}
+
+double duration(const Trajectory& t) { return t.time.back() - t.time[0]; }
+
 }  // namespace
 
 Trajectory adjust_end(const Trajectory& motion, const Trajectory& next) {
@@ -115,16 +131,16 @@ Trajectory adjust_begin(const Trajectory& motion, const Trajectory& before) {
 }
 
 Trajectory resample(const Trajectory& from, double rate_hz) {
-  const Eigen::Index end = last_of(from);
-  std::vector<CurvePoint> points;
-  Eigen::Index sample = 0;
-  for (const double time_s : sample_times(from.time.back() - from.time[0], rate_hz)) {
-    const double t = from.time[0] + time_s;
-    while (sample + 1 < end && from.time[sample + 1] <= t) ++sample;
-    points.push_back({time_s, sample, t - from.time[sample]});
-  }
-  points.back() = {points.back().time_s, end, 0};
-  return points_of(from, points);
+  return points_of(from, curve_points(from, sample_times(duration(from), rate_hz)));
+}
+
+Trajectory resample_uniformly(const Trajectory& from, double rate_hz) {
+  std::vector<double> time = sample_times(duration(from), rate_hz);
+  time.back() = static_cast<double>(time.size() - 1) / rate_hz;
+  Trajectory to = points_of(from, curve_points(from, time));
+  to.velocity.bottomRows(1).setZero();
+  to.acceleration.bottomRows(1).setZero();
+  return to;
 }
 
 Trajectory subdivide(const Trajectory& from, int parts) {

@@ -13,6 +13,11 @@ namespace morphe::exports {
 /// clearance are those of the previous sample. There are at least two samples, and rate_hz > 0.
 Trajectory resample(const Trajectory& trajectory, double rate_hz);
 
+/// Returns the trajectory at the times k / rate_hz exactly, from 0 to the first one that is not
+/// before its end. There the robot rests in the last posture: velocity and acceleration are zero.
+/// Otherwise as resample().
+Trajectory resample_uniformly(const Trajectory& trajectory, double rate_hz);
+
 /// Returns the trajectory with `parts` - 1 points between each two samples, at equal distances on
 /// the same quintics as in resample(). Its samples are kept, so that the quintics between the
 /// points are those between the samples.

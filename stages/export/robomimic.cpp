@@ -72,7 +72,8 @@ RobomimicDemo robomimic_demo(const RobotModel& robot, const Plan& plan, bool tar
                       {"demonstration_phase", phase}},
                      plan.grasp.sample >= 0 ? plan.grasp : Grasp(),
                      store::joint_unit(robot.has_prismatic_joint()),
-                     plan.flags};
+                     plan.flags,
+                     t.phase};
   if (target) {
     const Pose& object = plan.grasp.base_from_object;
     demo.observations.emplace_back("target_position",

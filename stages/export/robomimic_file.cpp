@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <optional>
 
 #include "core/store/array_codec.hpp"
@@ -31,6 +32,24 @@ void write(const store::Hdf5Group& group, const std::string& name, const JointRo
   group.write(name, store::ArrayCodec<JointRows>::encode(rows));
 }
 
+/// Writes the phases of the transitions as segments.
+void write_phases(const store::Hdf5Group& group, const std::vector<PhaseKind>& phases) {
+  std::vector<std::string> names;
+  std::vector<std::int32_t> begins, ends;
+  for (int k = 0; k < std::ssize(phases); ++k) {
+    if (k == 0 || phases[k] != phases[k - 1]) {
+      names.emplace_back(name_of(phases[k]));
+      begins.push_back(k);
+      ends.push_back(k);
+    }
+    ends.back() = k + 1;
+  }
+  const store::Hdf5Group segments = group.create("phases");
+  segments.set("names", names);
+  segments.write<std::int32_t>("begin", {{begins.size()}, begins});
+  segments.write<std::int32_t>("end", {{ends.size()}, ends});
+}
+
 std::vector<double> numbers(const JointVector& values) { return {values.begin(), values.end()}; }
 
 }  // namespace
@@ -38,16 +57,16 @@ std::vector<double> numbers(const JointVector& values) { return {values.begin(),
 // Members are closed in reverse order: groups, then the file.
 struct RobomimicWriter::State {
   JointVector offset, scale;
-  store::Hdf5File file;
-  store::Hdf5Group data;
-  std::optional<store::Hdf5Group> grasps;
+  store::Hdf5File file = {};
+  store::Hdf5Group data = {};
+  std::optional<store::Hdf5Group> grasps = {};
   std::size_t demos = 0;
+  std::vector<std::string> train = {}, valid = {};  ///< names of the demonstrations
   Eigen::Index total = 0;
 };
 
 RobomimicWriter::RobomimicWriter(const files::AtomicFile& part, const RobomimicHeader& header)
-    : state_(new State{
-          0.5 * (header.lower + header.upper), 0.5 * (header.upper - header.lower), {}, {}, {}}) {
+    : state_(new State{0.5 * (header.lower + header.upper), 0.5 * (header.upper - header.lower)}) {
   State& s = *state_;
   s.file = store::Hdf5File::create(part.part());
   s.file.set_display_name(part.target());
@@ -64,7 +83,9 @@ RobomimicWriter::~RobomimicWriter() = default;
 void RobomimicWriter::add(const RobomimicDemo& demo) {
   State& s = *state_;
   const Eigen::Index count = demo.actions.rows();
-  store::LayoutWriter io(s.data.create(fmt::format("demo_{}", s.demos)));
+  const std::string name = fmt::format("demo_{}", s.demos);
+  (demo.is_valid ? s.valid : s.train).push_back(name);
+  store::LayoutWriter io(s.data.create(name));
   store::lay_out_flags(io, demo.flags);
   const store::Hdf5Group& group = io.current_group();
   group.set("num_samples", static_cast<std::int32_t>(count));
@@ -72,13 +93,14 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
   group.set("subject", demo.subject);
   group.set("task", demo.task);
   group.set("status", demo.status);
+  write_phases(group, {demo.phase.begin(), demo.phase.begin() + count});
   write(group, "actions", scaled(demo.actions, s.offset, s.scale));
   write(group, "actions_abs", demo.actions);
   const store::Hdf5Group obs = group.create("obs"), next_obs = group.create("next_obs");
-  for (const auto& [name, rows] : demo.observations) {
+  for (const auto& [key, rows] : demo.observations) {
     assert(rows.rows() == count + 1);
-    write(obs, name, rows.topRows(count));
-    write(next_obs, name, rows.bottomRows(count));
+    write(obs, key, rows.topRows(count));
+    write(next_obs, key, rows.bottomRows(count));
   }
   std::vector<double> is_last(count, 0);
   is_last.back() = 1;
@@ -86,7 +108,7 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
   group.write("dones", store::ArrayCodec<std::vector<double>>::encode(is_last));
   if (!demo.grasp.contacts.empty()) {
     if (!s.grasps) s.grasps = s.file.root().create("grasps");
-    store::LayoutWriter layout(s.grasps->create(fmt::format("demo_{}", s.demos)), demo.joint_unit);
+    store::LayoutWriter layout(s.grasps->create(name), demo.joint_unit);
     store::lay_out_grasp(layout, demo.grasp);
   }
   ++s.demos;
@@ -96,25 +118,12 @@ void RobomimicWriter::add(const RobomimicDemo& demo) {
 void RobomimicWriter::finish() {
   State& s = *state_;
   s.data.set("total", static_cast<std::int32_t>(s.total));
-  const std::vector<std::size_t> valid = validation_demos(s.demos);
-  std::vector<std::string> train_names, valid_names;
-  for (std::size_t k = 0; k < s.demos; ++k) {
-    const bool held_out = std::ranges::binary_search(valid, k);
-    (held_out ? valid_names : train_names).push_back(fmt::format("demo_{}", k));
-  }
   const store::Hdf5Group mask = s.file.root().create("mask");
-  mask.write_strings("train", train_names);
-  mask.write_strings("valid", valid_names);
+  mask.write_strings("train", s.train);
+  mask.write_strings("valid", s.valid);
   s.data = {};
   s.grasps.reset();
   s.file.close();
-}
-
-std::vector<std::size_t> validation_demos(std::size_t count) {
-  const std::size_t held_out = count < 2 ? 0 : std::max<std::size_t>(1, (count + 5) / 10);
-  std::vector<std::size_t> demos;
-  for (std::size_t k = 0; k < held_out; ++k) demos.push_back((2 * k + 1) * count / (2 * held_out));
-  return demos;
 }
 
 }  // namespace morphe::exports

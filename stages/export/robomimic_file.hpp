@@ -20,6 +20,8 @@ struct RobomimicDemo {
   Grasp grasp;                                                  ///< written if it has contacts
   std::string joint_unit;                                       ///< unit of the grasp's postures
   std::vector<RecordingFlag> flags;                             ///< doubts about the recording
+  std::vector<PhaseKind> phase;                                 ///< [N + 1] of the observations
+  bool is_valid = false;                                        ///< for validation
 };
 
 /// The data common to all demonstrations of a file. Actions are scaled from [lower, upper] to [-1,
@@ -33,7 +35,9 @@ struct RobomimicHeader {
 };
 
 /// Writes a dataset as robomimic reads it: /data/demo_0 … with @num_samples, actions, actions_abs,
-/// obs/, next_obs/, rewards and dones (1 at the last transition); /mask/train and /mask/valid; and
+/// obs/, next_obs/, rewards and dones (1 at the last transition), and the phases as segments in
+/// phases/: @names, begin and end (indices of the first transition and of that after the last one);
+/// /mask/train and /mask/valid; and
 /// for grasps with contacts /grasps/demo_0 …, in the layout of grasp/ in plans.h5, which robomimic
 /// ignores. The dataset is written to `part`, which must outlive the writer, and is complete after
 /// finish().
@@ -48,9 +52,5 @@ class RobomimicWriter {
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// Returns the indices of the validation demonstrations among `count`: a tenth of them, rounded, at
-/// evenly distributed indices. There is at least one if `count` is 2 or more, and none otherwise.
-std::vector<std::size_t> validation_demos(std::size_t count);
 
 }  // namespace morphe::exports

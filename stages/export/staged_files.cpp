@@ -19,11 +19,40 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
 
 }  // namespace
 
+CreatedFolders::~CreatedFolders() {
+  std::error_code ignored;
+  for (auto folder = created_.rbegin(); folder != created_.rend(); ++folder)
+    std::filesystem::remove(*folder, ignored);
+}
+
+void CreatedFolders::create(const std::filesystem::path& folder) {
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return;
+  create(folder.parent_path());
+  if (std::filesystem::create_directory(folder, error)) created_.push_back(folder);
+  if (error)
+    throw InputError(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+}
+
+void StagedFiles::expect_no_others(const std::string& inner, const std::string& ending) const {
+  std::error_code ignored;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(folder_ / inner, ignored)) {
+    const std::string name = entry.path().lexically_relative(folder_).generic_string();
+    if (name.ends_with(ending) && !used_names_.contains(name))
+      throw InputError(fmt::format(
+          "{}: is of another dataset and would be read as part of this one: remove it, or give "
+          "another --out",
+          entry.path().string()));
+  }
+}
+
 files::AtomicFile& StagedFiles::add(const std::string& name) {
   if (!used_names_.insert(name).second) {
     throw InputError(
         fmt::format("{}: two plans would be written to it", (folder_ / name).string()));
   }
+  created_.create((folder_ / name).parent_path());
   names_.push_back(name);
   return files_.emplace_back(folder_ / name);
 }

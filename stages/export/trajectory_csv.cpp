@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "stages/export/csv_cell.hpp"
+#include "stages/export/table/csv_cell.hpp"
 
 namespace morphe::exports {
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "core/robot/tree.hpp"
@@ -26,6 +27,25 @@ std::vector<int> capsules_of(const robot::Robot& robot, std::size_t tip) {
       finger_capsules.push_back(c);
   }
   return finger_capsules;
+}
+
+FingerProbe probe_finger(const collision::CollisionWorld& world, double time_s,
+                         const FingerInHand& finger) {
+  const robot::Robot& robot = *world.robot;
+  const SceneObject& target = world.scene->objects[world.target];
+  FingerProbe probe{world, capsules_of(robot, finger.tip), {}, recorded_pose(target, time_s), {}};
+  std::vector<int> ignored;
+  for (const std::size_t other : finger.unclosed)
+    std::ranges::copy(capsules_of(robot, other), std::back_inserter(ignored));
+  const auto is_in = [](const std::vector<int>& capsules, int capsule) {
+    return std::ranges::find(capsules, capsule) != capsules.end();
+  };
+  for (const std::array<int, 2>& pair : world.pairs) {
+    const auto [first, second] = pair;
+    if (is_in(probe.finger_capsules, first) == is_in(probe.finger_capsules, second)) continue;
+    if (!is_in(ignored, first) && !is_in(ignored, second)) probe.pairs.push_back(pair);
+  }
+  return probe;
 }
 
 /// Returns the manners in the order in which they are tried: those that change least come first.
@@ -71,26 +91,46 @@ FingerClosures close_fingers(const collision::CollisionWorld& world, double time
   FingerClosures closed;
   if (world.target < 0) return closed;
   const robot::Robot& robot = *world.robot;
-  const SceneObject& target = world.scene->objects[world.target];
   for (const std::size_t tip : tips) {
     if (robot.pads[tip].capsule < 0) continue;
-    FingerProbe probe{world, capsules_of(robot, tip), {}, recorded_pose(target, time_s), {}};
-    for (const std::size_t other : tips) {
+    FingerInHand finger{tip, tips};
+    std::erase_if(finger.unclosed, [&](std::size_t other) {
       const auto is_other = [&](const FingerClosure& known) { return known.contact.tip == other; };
-      if (other == tip || std::ranges::any_of(closed.closings, is_other)) continue;
-      const std::vector<int> capsules = capsules_of(robot, other);
-      probe.ignored_capsules.insert(probe.ignored_capsules.end(), capsules.begin(), capsules.end());
-    }
+      return other == tip || std::ranges::any_of(closed.closings, is_other);
+    });
+    FingerProbe probe = probe_finger(world, time_s, finger);
     std::string reason;
     std::optional<FingerClosure> closing = close_best(probe, time_s, tip, q, reason);
     if (closing) {
       q += closing->turn;
       closed.closings.push_back(std::move(*closing));
     } else {
-      closed.open_reasons.push_back(robot.tips[tip].name + " stays open: " + reason);
+      closed.open.push_back({tip, std::move(reason)});
     }
   }
   return closed;
+}
+
+std::optional<FingerClosure> close_straight(const collision::CollisionWorld& world, double time_s,
+                                            const FingerInHand& finger, const JointVector& q) {
+  FingerProbe probe = probe_finger(world, time_s, finger);
+  std::string reason;
+  return close_finger(probe, time_s, finger.tip, {}, q, reason);
+}
+
+bool closes_freely(const collision::CollisionWorld& world, double time_s,
+                   const FingerInHand& finger, const JointVector& open, const JointVector& closed) {
+  FingerProbe probe = probe_finger(world, time_s, finger);
+  const int pad = world.robot->pads[finger.tip].capsule;
+  for (int step = 1; step <= kClosingChecks; ++step) {
+    probe.pose(open + static_cast<double>(step) / kClosingChecks * (closed - open), time_s);
+    for (const int capsule : probe.finger_capsules) {
+      const double allowed = capsule == pad ? world.tolerances.max_penetration : 0;
+      if (probe.separation_from_target(capsule).distance < -allowed) return false;
+    }
+    if (!probe.find_obstacle().empty()) return false;
+  }
+  return true;
 }
 
 }  // namespace morphe::grasp

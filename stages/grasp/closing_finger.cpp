@@ -49,11 +49,14 @@ collision::Separation FingerProbe::separation_from_target(int capsule) const {
 
 std::string FingerProbe::find_obstacle() const {
   const double margin = world.tolerances.required_clearance;
-  for (const auto& [first, second] : world.pairs) {
-    if (contains(finger_capsules, first) == contains(finger_capsules, second)) continue;
-    if (contains(ignored_capsules, first) || contains(ignored_capsules, second)) continue;
-    const auto body = [&](int c) { return scratch.bodies[c]; };
-    if (collision::capsule_capsule(body(first), body(second)).distance >= margin) continue;
+  for (const auto& [first, second] : pairs) {
+    const auto& sphere = scratch.bounding_spheres[first];
+    const auto& other_sphere = scratch.bounding_spheres[second];
+    const double separated = margin + sphere.radius + other_sphere.radius;
+    if ((sphere.centre - other_sphere.centre).squaredNorm() >= separated * separated) continue;
+    if (collision::capsule_capsule(scratch.bodies[first], scratch.bodies[second]).distance >=
+        margin)
+      continue;
     const int other = contains(finger_capsules, first) ? second : first;
     return world.robot->capsules[other].name;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,8 +26,10 @@ std::vector<std::pair<int, double>> closing_joints(const robot::Robot& robot, co
 /// Distance queries for one finger at one posture.
 struct FingerProbe {
   const collision::CollisionWorld& world;
-  std::vector<int> finger_capsules;   ///< capsules of the finger
-  std::vector<int> ignored_capsules;  ///< of fingers not yet closed: the mapping moves them aside
+  std::vector<int> finger_capsules;  ///< capsules of the finger
+  /// The pairs of `world` of a capsule of the finger and another body of the robot, without fingers
+  /// not yet closed: the mapping moves them aside.
+  std::vector<std::array<int, 2>> pairs;
   Pose base_from_target;
   collision::CollisionScratch scratch;
 

@@ -12,6 +12,8 @@ inline constexpr double kMaxOpening_rad = 0.5;
 /// than its inner ones, twice to either side, until it touches within kGoodPadAngle_rad.
 inline constexpr double kAbductionStep_rad = 7 * kRadPerDegree, kCurlStep = 0.5;
 inline constexpr double kGoodPadAngle_rad = 25 * kRadPerDegree;
+/// Number of postures in which the motion of a closing finger is checked, the last one included.
+inline constexpr int kClosingChecks = 10;
 inline constexpr double kContactTolerance_m = 1e-5;  ///< largest gap at which a closing pad touches
 inline constexpr double kMinLeverRatio = 0.2;  ///< of a joint that closes, to the longest lever
 

@@ -160,16 +160,18 @@ std::vector<CandidatePath> search_coarse_paths(const MappingProblem& coarse,
   return paths;
 }
 
-/// Continues postures of the person at rest into the movement, the preferred one first.
+/// Continues postures of the person at rest into the movement, the preferred one first. Ends with
+/// the preferred one if it is within the share of `best`, the least value that is known.
 std::vector<CandidatePath> continued_paths(const MappingProblem& coarse,
                                            const PostureSymmetries& symmetries,
-                                           const MapOptions& options) {
+                                           const MapOptions& options, double best) {
   MappingScratch scratch;
   std::vector<CandidatePath> paths;
   for (const JointVector& posture : first_values(coarse.reference.starts, kRestBranches)) {
     const IkBranch branch = continue_from_rest(coarse, posture, options, scratch);
     paths.push_back(smoothed(coarse, turned_towards_reference(symmetries, branch.q),
                              options.movement_cost, options.movement_solver));
+    if (paths.front().value <= (1 + options.branch_share) * best) break;
   }
   return paths;
 }
@@ -181,8 +183,8 @@ std::vector<CandidatePath> continued_paths(const MappingProblem& coarse,
 void put_preferred_first(const MappingProblem& coarse, const MapOptions& options,
                          std::vector<CandidatePath>& paths) {
   const PostureSymmetries symmetries = find_palm_symmetries(coarse);
-  std::vector<CandidatePath> continued = continued_paths(coarse, symmetries, options);
   double best = paths.front().value;
+  std::vector<CandidatePath> continued = continued_paths(coarse, symmetries, options, best);
   for (const CandidatePath& path : continued) best = std::min(best, path.value);
   const double most = (1 + options.branch_share) * best;
   const auto good = std::ranges::find_if(

@@ -89,6 +89,8 @@ class RecordingVerifier {
   void compare_names() {
     require(own_.subject == expected_.subject, "subject");
     require(own_.task == expected_.task, "task");
+    require(own_.source == expected_.source, "source");
+    require(own_.licence == expected_.licence, "licence");
     require(own_.hand == expected_.hand, "hand");
     require(own_.recording_assumptions == expected_.recording_assumptions, "assumptions");
     require(std::ranges::equal(own_.flags, expected_.flags, same_flag), "flags");

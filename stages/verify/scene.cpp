@@ -45,7 +45,7 @@ void verify_attachment(const RobotModel& robot, const Plan& plan, const SceneObj
                        ViolationLog& violations) {
   const bool timed = !std::isnan(object.attach_s) || !std::isnan(object.release_s);
   const bool target = object.name == plan.movement.target;
-  if (!timed && object.attached_frame.empty()) return;
+  if (!target && !timed && object.attached_frame.empty()) return;
   const bool known = object.attached_frame.empty() ||
                      find_index(robot.frames, object.attached_frame, &RobotModel::Frame::name) >= 0;
   if (!target || !known || std::isnan(object.attach_s)) {

@@ -21,7 +21,7 @@ ROBOT = {
     "allowed_collision_pairs": ("a2", "1", None),
 }
 
-PLAN_ATTRIBUTES = ("status reason detail subject task hand begin_s end_s target required_clearance max_penetration "
+PLAN_ATTRIBUTES = ("status reason detail subject task source licence hand begin_s end_s target required_clearance max_penetration "
                    "tracking_tolerance_grasp tracking_tolerance").split()
 CERTIFICATE = ("joint_limit_margin velocity_ratio acceleration_ratio jerk_ratio clearance "
                "tip_error_max tip_error_mean tip_error_grasp tip_orientation_error_max "

@@ -25,6 +25,7 @@ os.environ["XDG_CACHE_HOME"] = str(MORPHE.parent / "shared_runs/cache")
 
 # A search so small that a movement takes a second. What it finds is no good measure of the mapping.
 QUICK = ("--set", "map.starts=4", "--set", "map.candidates=1", "--set", "map.coarse_step_s=0.1")
+HOME = {"S1": 1.6, "S2": -1.2, "S3": -1.7, "E1": 1.7, "E2": -1.5, "W1": 0.3, "W2": 0.2}  # rad
 TWO_RECORDINGS = """\
 format: vicon-csv
 hand: right
@@ -117,6 +118,21 @@ def planned_sample(*settings):
     unittest.addModuleCleanup(holder.cleanup)
     shared = shared_run(REFERENCE, *QUICK, *settings, dataset="two recordings")
     return Path(shutil.copy(shared / "out/plans.h5", Path(holder.name).resolve()))
+
+
+def from_home_run():
+    """The plans.h5 of two recordings with approach, retreat and contacts, sampled coarsely and at home not far from
+    where the recordings begin, so that a plan is judged in no time."""
+    home = ", ".join(f"{{joint: {joint}, value: {value}}}" for joint, value in HOME.items())
+    return shared_run(SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml", *QUICK, "--set", "grasp.close_fingers=true",
+                      "--set", "retime.sample_rate_hz=50", "--set", f"approach.home=[{home}]", "--set", "approach.limit_scaling=1",
+                      dataset="two recordings") / "out/plans.h5"
+
+
+def carried_run():
+    """The plans.h5 of two recordings, of which one carries its target with contacts, beside the person's other arm."""
+    return shared_run(REFERENCE, *QUICK, "--set", "grasp.touch_distance=0.010", "--set", "segment.plan_until=return",
+                      "--set", "retime.sample_rate_hz=50", "--set", "scene.other_arm=true", dataset="two recordings") / "out/plans.h5"
 
 
 def line_of(file, needle):

@@ -302,7 +302,9 @@ class Places(RunCase):
         self.assertEqual(out.read_text(), "kept")
 
     def test_out_is_empty(self):
-        self.refuses(morphe("run", self.config, "--out", ""), "--out")
+        result = morphe("run", self.config, "--out", "")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertTrue(result.stderr.startswith("--out: must not be empty\n"), result.stderr)
 
     def test_out_lies_below_a_file(self):
         (self.folder / "file").write_text("kept")

@@ -49,10 +49,10 @@ def yaml_points(file):
 
 
 class Export(CommandCase):
-    def exported(self, kind, folder="out"):
+    def exported(self, kind, *options):
         """The files written, by name."""
-        out = self.folder / folder
-        printed = self.succeeds("export", PLANS, "--format", kind, "--out", out, "--unverified").stdout
+        out = self.folder / "out"
+        printed = self.succeeds("export", PLANS, "--format", kind, "--out", out, "--unverified", *options).stdout
         self.assertIn("ADL001AR1/001 skipped: no_path: a wall is in the way\n", printed)
         self.assertIn(" and the index written, 1 plan skipped\n", printed)
         return {file.name: file for file in out.iterdir() if not file.name.startswith("index_")}
@@ -137,9 +137,18 @@ class Export(CommandCase):
             seen = file["data/demo_0/obs/target_position"][()]
             np.testing.assert_array_equal(seen, np.tile(plan["grasp/object_pose"][:3, 3], (len(seen), 1)))
 
+    def phases_are_segments(self, segments, phase):
+        meaning = dict(pair.split("=") for pair in formats.text(phase.attrs["meaning"]).split(","))
+        names = [meaning[str(number)] for number in phase[:-1]]
+        begin, end = segments["begin"][()], segments["end"][()]
+        self.assertEqual(list(begin), [0, *end[:-1]])
+        told = [formats.text(name) for name in segments.attrs["names"]]
+        self.assertEqual(sum(([name] * (b - a) for name, a, b in zip(told, begin, end)), []), names)
+        self.assertEqual([a for a, b in zip(told, told[1:]) if a == b], [])
+
     def test_robomimic_reads_it(self):
         """What get_dataset_info.py and SequenceDataset of robomimic ask of a file."""
-        with h5py.File(self.exported("robomimic")["robomimic.hdf5"], swmr=True, libver="latest") as file:
+        with h5py.File(self.exported("robomimic", "--fps", 500)["robomimic.hdf5"], swmr=True, libver="latest") as file:
             data = file["data"]
             demos = sorted(data, key=lambda name: int(name[len("demo_"):]))
             self.assertEqual(demos, ["demo_0", "demo_1"])
@@ -159,10 +168,11 @@ class Export(CommandCase):
                 actions = demo["actions"][()]
                 self.assertEqual(actions.shape, (count, len(joints)))
                 self.assertLessEqual(np.abs(actions).max(), 1)
-                np.testing.assert_array_equal(demo["actions_abs"][()], position[1:])
-                np.testing.assert_allclose(offset + scale * actions, position[1:], atol=1e-14)
-                np.testing.assert_array_equal(demo["obs/joint_positions"][()], position[:-1])
-                np.testing.assert_array_equal(demo["next_obs/joint_positions"][()], position[1:])
+                np.testing.assert_allclose(demo["actions_abs"][()], position[1:], atol=1e-12)
+                np.testing.assert_allclose(offset + scale * actions, position[1:], atol=1e-12)
+                np.testing.assert_allclose(demo["obs/joint_positions"][()], position[:-1], atol=1e-12)
+                np.testing.assert_allclose(demo["next_obs/joint_positions"][()], position[1:], atol=1e-12)
+                self.phases_are_segments(demo["phases"], plan["trajectory/phase"])
                 for key in ("rewards", "dones"):
                     np.testing.assert_array_equal(demo[key][()], np.r_[np.zeros(count - 1), 1])
                 self.assertEqual(set(demo["obs"]), set(demo["next_obs"]))

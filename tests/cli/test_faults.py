@@ -10,6 +10,7 @@ import hashlib
 import os
 import random
 import shutil
+import signal
 import subprocess
 import unittest
 from concurrent.futures import ThreadPoolExecutor
@@ -88,19 +89,26 @@ class Faults(ManyCase):
         def attempt(fault):
             kind, number = fault
             folder = self.folder / f"{kind}_{number}"
-            result = self.once(words, folder, report=self.folder / f"{kind}_{number}.failed", **{kind: number})
+            failed = self.folder / f"{kind}_{number}.failed"
+            result = self.once(words, folder, report=failed, **{kind: number})
             left = files_in(folder)
             shutil.rmtree(folder)
-            return fault, result, left
+            return fault, result, left, failed.read_text() if failed.exists() else ""
         with ThreadPoolExecutor(2) as pool:
             results = list(pool.map(attempt, self.drawn(counted)))
-        wrong = []
-        for (kind, number), result, left in results:
+        wrong, unchecked = [], 0
+        for (kind, number), result, left, caller in results:
             said = f"{kind} {number}: exit {result.returncode}: {result.stderr[-300:]}"
             finished = {name: sha for name, sha in left.items() if not name.endswith(UNFINISHED)}
             if fails_alone and kind == "io" and result.returncode == 1 and fails_alone in result.stderr:
                 continue
-            if result.returncode == 0:
+            if (kind == "memory" and result.returncode in (-signal.SIGSEGV, -signal.SIGABRT)
+                    and caller.startswith("libhdf5")):
+                # HDF5 does not check some of its allocations (docs/hostile_files.md).
+                unchecked += 1
+                if any(sha != expected.get(name) for name, sha in finished.items()):
+                    wrong.append(f"{said}: half written")
+            elif result.returncode == 0:
                 if {name: expected.get(name) for name in finished} != finished or not set(finished) >= {
                         name for name in expected if not name.endswith(UNFINISHED)}:
                     wrong.append(f"{said}: other files than without the fault")
@@ -109,6 +117,7 @@ class Faults(ManyCase):
             elif any(sha != expected.get(name) for name, sha in finished.items()):
                 wrong.append(f"{said}: half written: "
                              f"{[name for name, sha in finished.items() if sha != expected.get(name)]}")
+        print(f"{self.id()}: {len(results)} failed, of them {unchecked} ended inside HDF5")
         self.assertFalse(wrong, "\n".join(wrong[:40]) + f"\n{len(wrong)} of {len(results)}")
 
     def test_run(self):

@@ -7,12 +7,10 @@ import re
 import h5py
 import numpy as np
 
-from support import MORPHE, QUICK, REFERENCE, SOURCE, CommandCase, json, main, morphe, python_verify, shared_run
+from support import MORPHE, CommandCase, carried_run, from_home_run, json, main, morphe, python_verify
 
 import forged_plans
 
-FROM_HOME = SOURCE / "configs/pipelines/pa10_dlr_hit2_from_home.yaml"
-HOME = {"S1": 1.6, "S2": -1.2, "S3": -1.7, "E1": 1.7, "E2": -1.5, "W1": 0.3, "W2": 0.2}  # rad
 # What is left may be a plan as good as the one before: another motion that holds all that it says.
 # Nor can it be told what was recorded, or what a joint that moves no tip was mapped to.
 NO_LIES = {"a_position_moved", "a_velocity_changed",
@@ -25,22 +23,15 @@ NOT_HERE = {"an_approach_nobody_asked_for", "a_mapped_turn_less", "tip_orientati
             "a_mesh_smaller", "a_mesh_halved", "a_mesh_inside_out", "a_mesh_of_the_inputs_smaller",  # test_meshes.py
             "a_mesh_of_the_inputs_halved", "a_mesh_of_the_inputs_inside_out",
             "another_arm_thinner", "an_arm_that_was_there", "an_arm_elsewhere", "an_arm_too_late",
-            "a_doubt_left_out", "a_finger_joint_elsewhere", "never_taken"}
+            "a_doubt_left_out", "a_finger_joint_elsewhere"}
 
 # Nothing was doubted there, and no joint of a finger was recorded.
 NOT_CARRIED = {"a_doubt_left_out", "a_finger_joint_elsewhere"}
 
 
 def setUpModule():
-    """Sampled coarsely and at home not far from where the recordings begin, so that a plan is judged in no time."""
     global PLANS, CARRIED
-    home = ", ".join(f"{{joint: {joint}, value: {value}}}" for joint, value in HOME.items())
-    PLANS = shared_run(FROM_HOME, *QUICK, "--set", "grasp.close_fingers=true", "--set", "retime.sample_rate_hz=50",
-                       "--set", f"approach.home=[{home}]", "--set", "approach.limit_scaling=1",
-                       dataset="two recordings") / "out/plans.h5"
-    CARRIED = shared_run(REFERENCE, *QUICK, "--set", "grasp.touch_distance=0.010", "--set", "segment.plan_until=return",
-                         "--set", "retime.sample_rate_hz=50", "--set", "scene.other_arm=true",
-                         dataset="two recordings") / "out/plans.h5"
+    PLANS, CARRIED = from_home_run(), carried_run()
 
 
 class Forged(CommandCase):

@@ -1,12 +1,15 @@
 """What the program says to who does not know it: examples that work, words that were meant, what the
-shell completes, and whether everything is there. It takes more than 10 s: all examples of all commands
+shell completes, the manual page, and whether everything is there. It takes more than 10 s: all examples of all commands
 are run."""
 import os
 import re
+import shutil
 import subprocess
+import unittest
 
-from support import MORPHE, SOURCE, CommandCase, main, morphe
+import h5py
 
+from support import MORPHE, QUICK, REFERENCE, SOURCE, CommandCase, main, morphe, shared_run
 
 
 def subcommands(*command):
@@ -108,8 +111,51 @@ class Meant(CommandCase):
                           self.said(command, self.folder / "frist", *["--out", "o"] * (command == "report")))
 
     def test_a_number_of_threads(self):
-        self.assertIn("--jobs: ", self.said("verify", "plans.h5", "--jobs", "-1"))
-        self.assertIn("--jobs: ", self.said("verify", "plans.h5", "--jobs", "many"))
+        for command in (("verify", "p.h5"), ("run", "c.yaml", "--out", "o"), ("study", "c.yaml", "--out", "o"),
+                        ("place", "c.yaml"), ("synthesize", "c.yaml", "--out", "o"), ("simulate", "p.h5", "--out", "o")):
+            for jobs, message in (("-1", "must be at least 0 and at most 10000, not '-1'"), ("abc", "must be a whole number, not 'abc'"),
+                                  ("1e3", "must be a whole number, not '1e3'"), ("3.5", "must be a whole number, not '3.5'"),
+                                  ("99999999999", "must be at most 2147483647, not '99999999999'"), ("", "must not be empty")):
+                said = self.said(*command, "--jobs", jobs)
+                self.assertIn(f"--jobs: {message}\n", said, command)
+
+    def test_every_number_and_every_flag(self):
+        """Those of all commands, from --help: what is no number is named, and a flag takes no value."""
+        tried = 0
+        for command in [*COMMANDS, "robot setup"]:
+            text = morphe(*command.split(), "--help").stdout
+            for option, kind in re.findall(r"^  (--[a-z-]+) ((?:INT|UINT|FLOAT)(?: x \d)?)", text, re.M):
+                count = int(kind.partition(" x ")[2] or 1)
+                for value in ("abc", "nan", "")[:3 if count == 1 else 2]:
+                    values = [value] * count
+                    self.assertRegex(self.said(*command.split(), option, *values), rf"{option}: must (not )?be ", value)
+                tried += 1
+            for flag in re.findall(r"^  (--[a-z-]+)  ", text, re.M):
+                self.assertIn(f"{flag}: takes no value, not '3'\n", self.said(*command.split(), f"{flag}=3"))
+                tried += 1
+        self.assertGreater(tried, 60)
+
+    def test_options_given_twice(self):
+        self.assertEqual(self.said("run", "c.yaml", "--out", "a", "--out", "b"),
+                         "run: --out is given more than once\nSee morphe run --help.\n")
+        self.assertEqual(self.said("--frobnicate").splitlines()[1], "See morphe --help.")
+
+    def test_empty_values(self):
+        for words in (["explain", "plans.h5", ""], ["list", ""], ["list", "p", "--sort", ""], ["list", "p", "--only", ""], ["run", "c", "--out", ""]):
+            self.assertIn(": must not be empty\n", self.said(*words))
+
+    def test_measures(self):
+        self.assertIn("; did you mean 'duration'?", self.said("list", "p.h5", "--sort", "duratoin"))
+
+    def test_shipped_names(self):
+        self.assertIn("pa10_dlr_hit2: cannot be read; did you mean 'configs/pipelines/pa10_dlr_hit2.yaml'?\n", self.said("run", "pa10_dlr_hit2", "--out", "o"))
+        self.assertIn("pa10: cannot be read; did you mean 'configs/robots/pa10.yaml'?\n", self.said("robot", "pa10"))
+        self.assertIn("ue-adl: cannot be read; did you mean 'datasets/ue-adl'?\n", self.said("import", "ue-adl", "--out", "o.h5"))
+        (self.folder / "first").mkdir()
+        (self.folder / "first/plans.h5").write_text("")
+        self.assertIn("did you mean 'first/plans.h5'?", self.said("list", "first/plans"))
+        for command in (["import", "first/plan.h5", "--out", "o.h5"], ["inspect", "first/plan.h5"], ["verify", "first/plans.h5", "--dataset", "first/plan.h5"]):
+            self.assertIn("first/plan.h5: cannot be read; did you mean 'first/plans.h5'?\n", self.said(*command))
 
     def test_keys_all_at_once(self):
         config = self.folder / "c.yaml"
@@ -140,9 +186,14 @@ class Meant(CommandCase):
 
 
 class Completed(CommandCase):
+    SCRIPTS = SOURCE / "pipeline/commands/completion"
+
+    def offered(self, *words):
+        return self.succeeds("--complete", *words, cwd=self.folder).stdout.split()
+
     def complete(self, line, path=os.environ["PATH"]):
         """What bash would offer after a tab at the end of the line."""
-        script = (f'source "{SOURCE}/pipeline/commands/completion.bash"\n'
+        script = (f'source "{self.SCRIPTS}/morphe.bash"\n'
                   'read -ra COMP_WORDS <<<"$LINE"\n[[ $LINE == *" " ]] && COMP_WORDS+=("")\n'
                   'COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_morphe\nprintf "%s\\n" "${COMPREPLY[@]}"')
         done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, cwd=self.folder,
@@ -159,6 +210,91 @@ class Completed(CommandCase):
         self.assertEqual(self.complete("morphe robot s"), ["setup"])
         self.assertEqual(sorted(self.complete("morphe run re")), ["reached.yaml", "results"])
         self.assertEqual(sorted(self.complete("morphe run --out re")), ["reached.yaml", "results"])
+
+    def test_every_listed_word_of_every_option(self):
+        """Whatever --help shows in braces is offered, in each manner of writing the option."""
+        tried = 0
+        for command in [*COMMANDS, "robot setup"]:
+            for option, words in re.findall(r"^  (--[a-z-]+) \S*\{(.*?)\}", morphe(*command.split(), "--help").stdout, re.M):
+                words = sorted(words.split(","))
+                self.assertEqual(sorted(self.offered(*command.split(), option, "")), words)
+                self.assertEqual(sorted(self.offered(*command.split(), option, "=", "")), words)
+                self.assertEqual(self.offered(*command.split(), f"{option}={words[0]}")[0], f"{option}={words[0]}")
+                tried += 1
+        self.assertGreater(tried, 10)
+
+    def test_values(self):
+        self.assertEqual(self.offered("list", "x", "--only", "exe"), ["executable"])
+        self.assertIn("goal_in_collision", self.offered("list", "--only", ""))
+        self.assertEqual(self.offered("diff", "--sort", "dur"), ["duration", "duration_ratio"])
+        self.assertEqual(self.offered("report", "--worst", "3", "tip"), ["tip_error_grasp", "tip_error_max"])
+        self.assertEqual(self.offered("schema", "sy"), ["synthetic"])
+        self.assertEqual(self.offered("run", "c.yaml", "--set", "map.key"), ["map.key_frames="])
+        self.assertEqual(self.offered("run", "--set", "map.mode=h"), ["map.mode=humanlike"])
+        self.assertEqual(self.offered("import", "--unit", "c"), ["cm"])
+        self.assertEqual(self.offered("export", "f", "--group", "a"), ["all", "arm"])
+        for none in (["list", "nowhere.h5", "--only", "ADL"], ["run", "--out", "x"], ["run", "--nonsense", "x"], ["frobnicate", ""]):
+            self.assertEqual(self.offered(*none), [])
+
+    def test_shipped_files(self):
+        self.assertEqual(self.offered("robot", "conf"), ["configs/"])
+        self.assertEqual(self.offered("robot", "configs/ro"), ["configs/robots/"])
+        self.assertEqual(self.offered("run", "x.yaml", "--dataset", "datasets/ue"), ["datasets/ue-adl/"])
+        robots = self.offered("robot", "configs/robots/pa10")
+        self.assertIn("configs/robots/pa10_dlr_hit2.yaml", robots)
+        self.assertEqual(sorted(robots), sorted(f"configs/robots/{file.name}" for file in (SOURCE / "configs/robots").glob("pa10*")))
+        self.assertEqual(self.offered("list", "conf"), [])
+        (self.folder / "configs").mkdir()
+        self.assertEqual(self.offered("robot", "conf"), [], "the shell offers the user's own")
+
+    def test_plans_of_the_file_on_the_line(self):
+        plans = shared_run(REFERENCE, *QUICK, dataset="two recordings") / "out"
+        with h5py.File(plans / "plans.h5") as file:
+            names = list(file["plans"])
+        self.assertEqual(self.offered("explain", plans, names[0]), [names[0], f"{names[0]}/000"])
+        self.assertEqual(self.offered("list", plans, "--only", names[1]), [names[1], f"{names[1]}/000"])
+        self.assertEqual(self.offered("report", plans / "plans.h5", "--plans", f"{names[0]}/"), [f"{names[0]}/000"])
+
+    @unittest.skipUnless(shutil.which("fish"), "no fish")
+    def test_fish(self):
+        done = subprocess.run(["fish", "--no-config", "-c", f'source {self.SCRIPTS}/morphe.fish; complete -C "morphe list x --only exe"; complete -C "morphe re"'],
+                              capture_output=True, text=True, cwd=self.folder, env={**os.environ, "HOME": str(self.folder), "PATH": f"{MORPHE.parent}:{os.environ['PATH']}"})
+        self.assertEqual(done.stdout.split(), ["executable", "report"], done.stderr)
+
+    @unittest.skipUnless(shutil.which("zsh"), "no zsh")
+    def test_zsh(self):
+        """In a terminal of its own: zsh completes nowhere else."""
+        (self.folder / "_morphe").symlink_to(self.SCRIPTS / "_morphe")
+        script = f"""
+            zmodload zsh/zpty
+            zpty z zsh -f -i
+            zpty -w z 'PS1=; fpath=({self.folder} $fpath); autoload -U compinit; compinit -u -D; PATH={MORPHE.parent}:$PATH; echo RE''ADY'
+            zpty -r z text '*READY*'
+            zpty -n -w z $'morphe list x --only exec\\t'
+            zpty -r z text '*executable*' && print offered"""
+        done = subprocess.run(["zsh", "-f", "-c", script], capture_output=True, text=True, cwd=self.folder, timeout=60,
+                              env={**os.environ, "HOME": str(self.folder), "TERM": "dumb"})
+        self.assertEqual(done.stdout, "offered\n", done.stderr)
+
+
+class Manual(CommandCase):
+    def test_it_has_all_that_help_has(self):
+        page = self.succeeds("--man").stdout
+        plain = re.sub(r"\\f.|\\:", "", page).replace("\\-", "-")
+        for command in [*COMMANDS, "robot setup"]:
+            section = re.search(rf"^\.SS morphe {command}$(.*?)(?=^\.S[SH] )", plain, re.M | re.S)[1]
+            for option in re.findall(r"^  (?:-\w,)?(--[a-z-]+)", morphe(*command.split(), "--help").stdout, re.M):
+                self.assertRegex(section, rf"(?m)^(--?[\w-]+, )*{option}(,| |$)", command)
+            for example in examples(command):
+                self.assertIn(example, section)
+
+    @unittest.skipUnless(shutil.which("man"), "no man")
+    def test_man_shows_it_without_a_warning(self):
+        page = self.folder / "morphe.1"
+        page.write_text(self.succeeds("--man").stdout)
+        shown = subprocess.run(["man", "--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", page], capture_output=True, text=True,
+                               env={**os.environ, "LC_ALL": "C.UTF-8", "MANROFFSEQ": "", "MANWIDTH": "80"})
+        self.assertEqual((shown.returncode, shown.stderr), (0, ""))
 
 
 class Doctor(CommandCase):

@@ -55,7 +55,7 @@ class Place(CommandCase):
         place = ("place", REFERENCE, "--dataset", recordings)
         self.refuses(morphe(*place, "--fix", "x,w"), "--fix x,w", "rotation")
         self.refuses(morphe(*place, "--tilt", 100), "place", "tilt")
-        self.refuses(morphe(*place, "--refine", 2), "place", "plan >= 1")
+        self.refuses(morphe(*place, "--refine", 2), "place", "--plan: must be 1 to 2")
         self.assertEqual(morphe(*place, "--mount", "roof").returncode, 2)
         hand = self.folder / "hand.yaml"
         hand.write_text(f"robot: {{file: {SOURCE}/configs/robots/dlr_hit2.yaml}}\n")

@@ -4,9 +4,11 @@ import xml.etree.ElementTree
 import h5py
 import numpy as np
 
-from support import SOURCE, Path, main, morphe, sha256, sys, temporary_folder, unittest
+from support import SOURCE, Path, main, morphe, sha256, shared_run, sys, temporary_folder, unittest
 
-sys.path.insert(0, str(SOURCE / "tests/support"))
+sys.path[:0] = [str(SOURCE / "tests/support"), str(SOURCE / "tests")]
+import pictures  # noqa: E402
+from docs_test import SHOWN_BY, same_line  # noqa: E402
 from report_page import Page  # noqa: E402
 
 PIPELINES = SOURCE / "configs/pipelines"
@@ -138,6 +140,20 @@ class Report(unittest.TestCase):
             self.assertEqual(text.count("<clipPath"), 5)
             self.assertNotIn("nan", text)
         self.assertIn("worst", films[-1].read_text())
+
+    def test_the_pictures_of_the_documents_are_of_todays_plans(self):
+        """To the letter where the build is the one that drew them, else within the documents' tolerance."""
+        runs = {"pa10_dlr_hit2_obstacle": self.post.parent, "fr3": self.fr3.parent}
+        with h5py.File(self.post) as file:
+            exact = all(part in file.attrs["built_with"].decode() for part in SHOWN_BY)
+        for picture, (pipeline, plans, _) in pictures.PICTURES.items():
+            with self.subTest(picture=picture):
+                run = runs.get(pipeline) or shared_run(PIPELINES / f"{pipeline}.yaml", dataset="one recording") / "out"
+                today = pictures.rows_of_list(morphe("list", run, "--only", plans).stdout).splitlines()
+                drawn = pictures.text_of((SOURCE / f"docs/pictures/{picture}.png").read_bytes()).splitlines()
+                alike = drawn == today if exact else len(drawn) == len(today) and all(map(same_line, drawn, today))
+                self.assertTrue(alike, f"docs/pictures/draw.py draws {picture} anew; it shows\n" + "\n".join(drawn) +
+                                "\nand today's plans are\n" + "\n".join(today))
 
     def test_what_cannot_be_read_is_said_and_nothing_is_left_behind(self):
         self.assertIn("nothing.h5", self.refused(self.folder / "nothing.h5"))

@@ -139,6 +139,8 @@ class ReportPage(unittest.TestCase):
 
     def test_a_joint_that_is_picked_is_picked_everywhere(self):
         self.open(self.post / "report.html", "#ADL001DR2/000/0.9")
+        self.press("5")  # all of the robot in sight
+        self.wait("return true")
         before = self.picture()
         button = self.window.find_element(By.CSS_SELECTOR, ".readings th button")
         self.run_script("arguments[0].click()", button)
@@ -147,6 +149,24 @@ class ReportPage(unittest.TestCase):
         self.assertGreater((np.abs(before - self.picture()).max(axis=2) > 16).mean(), 0.002)
         self.run_script("arguments[0].click()", button)
         self.assertEqual(button.get_attribute("aria-pressed"), "false")
+
+    def test_meshes_replace_the_capsules(self):
+        meshes = self.folder / "meshes"
+        meshes.mkdir(exist_ok=True)
+        corners = ["0 0 0", "0.1 0 0", "0 0.1 0", "0 0 0.1"]
+        faces = "".join("facet normal 0 0 1\nouter loop\n" + "".join(f"vertex {corners[k]}\n" for k in face) + "endloop\nendfacet\n"
+                        for face in ((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)))
+        (meshes / "W2.stl").write_text(f"solid W2\n{faces}endsolid W2\n")
+        page = self.folder / "meshes.html"
+        done = morphe("report", self.post, "--meshes", meshes, "--plans", "ADL001DR2/000", "--out", page)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.open(page, "#ADL001DR2/000/0.9")
+        self.press("5")
+        self.wait("return true")
+        hidden = self.picture()
+        self.press("c")
+        self.wait("return true")
+        self.assertGreater((np.abs(hidden - self.picture()).max(axis=2) > 16).mean(), 0.02)
 
     def test_keys_alone(self):
         self.open(self.post / "report.html")
@@ -168,7 +188,7 @@ class ReportPage(unittest.TestCase):
         self.assertEqual(self.time(), 0)
         self.press(Keys.END)
         self.assertGreater(self.time(), 1)
-        for view in "12345":
+        for view in "123456":
             self.press(view)
         self.press("t")
         self.assertEqual(self.run_script("return document.documentElement.dataset.theme"), "dark")

@@ -125,7 +125,7 @@ class RobotInputs(CommandCase):
         urdf = self.put("arm.urdf", arm(lambda k: f"meshes/l{k}.stl"))
         seen = Terminal("robot", "setup", urdf, "--capsules", 1, "--out", self.folder / "seen.yaml")
         self.assertEqual(seen.end(300)[0], 0, seen.seen)
-        self.assertIn("covering link 2 of 6: l2", seen.seen)
+        self.assertIn("2 of 6 links covered", seen.seen)
         self.assertNotIn("covering", "\n".join(seen.lines()))
         self.assertNotIn("covering", self.set_up(urdf))
         self.assertEqual(sha256(self.folder / "seen.yaml"), sha256(self.folder / "out.yaml"))

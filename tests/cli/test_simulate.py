@@ -178,7 +178,7 @@ class Simulate(CommandCase):
             self.assertFalse((self.folder / "out").exists())
             return result.stderr
         self.assertIn("--rollouts must be 1 to 10000", refused("--rollouts", "0"))
-        self.assertIn("--friction must be above 0", refused("--friction", "nan"))
+        self.assertIn("--friction: must be a number", refused("--friction", "nan"))
         self.assertIn("--time-step must be", refused("--time-step", "1"))
         self.assertIn("--mass must be above 0", refused("--mass", "-1"))
         self.assertIn("--load-directions", refused("--load-directions", "seven"))

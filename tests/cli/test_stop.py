@@ -10,7 +10,8 @@ from support import MORPHE, RECORDINGS, REFERENCE, SOURCE, main, morphe
 
 # Asked for are 2 s; a busy machine has time.
 AT_MOST_S = 10
-SHARES = (0.2, 0.5, 0.8)  # of the time that the command takes
+# Signals, and the shares of the time that the command takes after which they are sent.
+STOPS = ((signal.SIGTERM, 0.2), (signal.SIGINT, 0.5), (signal.SIGTERM, 0.8))
 KEPT = ("journal.sqlite", "journal.sqlite-journal", "demonstrations.h5.new")  # for the same command again
 
 
@@ -30,34 +31,33 @@ class Stop(ManyCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         complete = files_in(clean)
         stopped = 0
-        for number in (signal.SIGTERM, signal.SIGINT):
-            for share in SHARES:
-                with self.subTest(name, signal=number.name, share=share):
-                    folder = self.folder / f"{name}_{number.name}_{share}"
-                    folder.mkdir()
-                    process = subprocess.Popen(
-                        [MORPHE, *map(str, words(folder / "out"))], stdout=subprocess.DEVNULL,
-                        stderr=subprocess.DEVNULL,
-                        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
-                    time.sleep(share * took_s)
-                    process.send_signal(number)
-                    try:
-                        process.wait(AT_MOST_S)
-                    except subprocess.TimeoutExpired:
-                        process.kill()
-                        process.wait()
-                        self.fail(f"goes on for more than {AT_MOST_S} s")
-                    self.assertIn(process.returncode, (0, -number, 128 + number))
-                    left = files_in(folder)
-                    if process.returncode == 0:
-                        self.assertEqual(left.keys(), complete.keys())
-                    else:
-                        stopped += 1
-                    for file, sha in left.items():
-                        self.assertIn(file, complete)
-                        if same_bytes:
-                            self.assertEqual(sha, complete[file], file)
-                    shutil.rmtree(folder)
+        for number, share in STOPS:
+            with self.subTest(name, signal=number.name, share=share):
+                folder = self.folder / f"{name}_{number.name}_{share}"
+                folder.mkdir()
+                process = subprocess.Popen(
+                    [MORPHE, *map(str, words(folder / "out"))], stdout=subprocess.DEVNULL,
+                    stderr=subprocess.DEVNULL,
+                    preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+                time.sleep(share * took_s)
+                process.send_signal(number)
+                try:
+                    process.wait(AT_MOST_S)
+                except subprocess.TimeoutExpired:
+                    process.kill()
+                    process.wait()
+                    self.fail(f"goes on for more than {AT_MOST_S} s")
+                self.assertIn(process.returncode, (0, -number, 128 + number))
+                left = files_in(folder)
+                if process.returncode == 0:
+                    self.assertEqual(left.keys(), complete.keys())
+                else:
+                    stopped += 1
+                for file, sha in left.items():
+                    self.assertIn(file, complete)
+                    if same_bytes:
+                        self.assertEqual(sha, complete[file], file)
+                shutil.rmtree(folder)
         self.assertGreater(stopped, 0, "it always ended before the signal")
 
     def test_run(self):

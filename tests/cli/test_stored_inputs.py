@@ -111,6 +111,25 @@ class ShortMachine(CommandCase):
                 self.assertEqual(self.judged(plans, TMPDIR=str(folder)), 0)
         self.assertEqual(list(closed.iterdir()), [])
 
+    def test_a_temporary_folder_for_every_command(self):
+        """Closed, missing or no folder: the verdict on honest plans is the same, and what a command writes has the same bytes."""
+        closed = self.folder / "closed"
+        closed.mkdir(mode=0o500)
+        for folder in ("missing", "closed", "full"):
+            place = "/dev/full" if folder == "full" else self.folder / folder
+            environment = {**os.environ, "TMPDIR": str(place), "XDG_CACHE_HOME": str(place)}
+            for command in (("list", PLAIN), ("diff", PLAIN, PLAIN), ("explain", PLAIN),
+                            ("verify", PLAIN, "--dataset", PLAIN.parent / "demonstrations.h5"),
+                            ("export", PLAIN, "--format", "csv", "--out", self.folder / f"csv_{folder}"),
+                            ("report", PLAIN, "--out", self.folder / f"{folder}.html")):
+                result = subprocess.run([MORPHE, *map(str, command)], capture_output=True, text=True, env=environment)
+                self.assertEqual((result.returncode, result.stderr), (0, ""), command)
+                self.assertNotIn("not verified", result.stdout)
+        written = [sorted((path.name, path.read_bytes()) for path in (self.folder / f"csv_{folder}").iterdir())
+                   for folder in ("missing", "closed", "full")]
+        self.assertEqual(written[0], written[1])
+        self.assertEqual(written[0], written[2])
+
     def test_few_file_descriptors(self):
         for plans in (PLAIN, SHELVES):
             codes = [self.judged(plans, [(resource.RLIMIT_NOFILE, count)]) for count in range(3, 10)]

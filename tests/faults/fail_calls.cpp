@@ -5,9 +5,9 @@
 //                            IO ALLOCATIONS"
 //   MORPHE_FAULT_IO=N        fails the Nth call for a file with the error of its kind
 //   MORPHE_FAULT_MEMORY=N    fails the Nth allocation, unless HDF5 makes it while it initialises
-//   its
-//                            errors: then it reports that error as another one without end
-//   MORPHE_FAULT_REPORT=FILE creates FILE when the call fails
+//                            its errors: then it reports that error as another one without end
+//   MORPHE_FAULT_REPORT=FILE creates FILE when the call fails, with the name of the library or
+//                            program that made it
 #include <dlfcn.h>
 #include <execinfo.h>
 #include <fcntl.h>
@@ -68,9 +68,30 @@ void write_line(const char* format, ...) {
   if (length > 0 && real(count_descriptor, line, length) != length) std::abort();
 }
 
+/// Returns the name of the library or program that called: of the first frame of the call stack
+/// outside this library and the C library.
+const char* caller() {
+  void* stack[kAllFrames];
+  const int depth = backtrace(stack, kAllFrames);
+  Dl_info own, place;
+  dladdr(reinterpret_cast<void*>(&caller), &own);
+  for (int k = 0; k < depth; ++k) {
+    if (!dladdr(stack[k], &place) || place.dli_fbase == own.dli_fbase) continue;
+    const char* const slash = std::strrchr(place.dli_fname, '/');
+    const char* const name = slash ? slash + 1 : place.dli_fname;
+    if (std::strncmp(name, "libc.so", 7) != 0) return name;
+  }
+  return "";
+}
+
 void report() {
-  static const auto real = next<int (*)(const char*, int, ...)>("open");
-  if (report_file) real(report_file, O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  static const auto real_open = next<int (*)(const char*, int, ...)>("open");
+  static const auto real_write = next<ssize_t (*)(int, const void*, size_t)>("write");
+  if (!report_file) return;
+  const int file = real_open(report_file, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const char* const name = caller();
+  const auto length = static_cast<ssize_t>(std::strlen(name));
+  if (file < 0 || real_write(file, name, std::strlen(name)) != length) std::abort();
 }
 
 [[gnu::constructor]] void begin() {

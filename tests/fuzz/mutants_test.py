@@ -16,7 +16,7 @@ IN_CHILD = 100  # so many fewer of those that begin a process each
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=2000)
+    parser.add_argument("--count", type=int, default=1000)
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("targets", nargs="*")
     options = parser.parse_args()

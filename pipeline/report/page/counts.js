@@ -35,7 +35,7 @@ export function buildCounts() {
     countButton("reason", value, count, reasonSentence(value)));
   const section = build("section", { "aria-labelledby": "counts-title" },
       build("h2", { id: "counts-title" }, "Plans"),
-      build("div", { class: "counts" }, build("span", { class: "count-all" }, build("b", {}, String(rows.length)), " plans"),
+      build("div", { class: "counts" }, build("span", { class: "count-all" }, build("b", {}, String(rows.length)), rows.length === 1 ? " plan" : " plans"),
           ...statuses.map(({ button }) => button)));
   if (reasons.length > 0) {
     section.append(build("div", { class: "counts reasons" }, build("span", { class: "muted" }, "reasons"),

@@ -152,13 +152,17 @@ function buildCard(measure, binning, figure) {
   return { card: build("figure", { class: "histogram" }, head, figure, foot), range, clear };
 }
 
-// {card, update}
+const kLeastValues = 20; // about as many as there are bins
+
+// False for so few values, or so equal ones, that the table shows them better.
+export function isDistribution(measure) {
+  const { bins, count } = binningOf(measure);
+  return count > 1 && bins.filter((bin) => bin >= 0).length >= kLeastValues;
+}
+
+// {card, update} of a measure that is a distribution.
 export function buildHistogram(measure) {
   const binning = binningOf(measure);
-  if (binning.count === 0) {
-    const none = build("p", { class: "muted no-values" }, "no values");
-    return { card: buildCard(measure, binning, none).card, update: () => {} };
-  }
   const bins = buildBins(measure, binning);
   const all = countBins(binning, true);
   const maxCount = all.reduce((a, b) => Math.max(a, b), 1);

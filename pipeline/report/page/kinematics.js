@@ -45,3 +45,10 @@ export function jointOf(robot, frame) {
   while (movingFrame >= 0 && robot.frames[movingFrame].joint < 0) movingFrame = robot.frames[movingFrame].parent;
   return movingFrame < 0 ? -1 : robot.frames[movingFrame].joint;
 }
+
+// True for the palm and every frame that moves with it.
+export function isOfHand(robot, frame) {
+  let each = frame;
+  while (each >= 0 && each !== robot.palm_frame) each = robot.frames[each].parent;
+  return each >= 0;
+}

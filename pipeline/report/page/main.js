@@ -2,8 +2,8 @@
 import { report, rows } from "./data.js";
 import { readFilterAddress } from "./filter.js";
 import { plainText } from "./format.js";
-import { closeMovement, movementKey, openMovement, prepareMovement } from "./movement.js";
-import { focusSearch, openOverview, shownRows } from "./overview.js";
+import { closeMovement, focusMovement, movementKey, openMovement, prepareMovement } from "./movement.js";
+import { closeOverview, focusSearch, openOverview, shownRows } from "./overview.js";
 import { addressOf, emit, readAddress, state } from "./state.js";
 
 const element = (id) => document.getElementById(id);
@@ -20,13 +20,15 @@ function route() {
   element("back").hidden = element("previous").hidden = element("next").hidden = found === null;
   const files = report.runs.map(({ file }) => plainText(file)).join(", ");
   document.title = found ? `${plainText(rows[found.row].plan)} – Morphe` : `${files} – Morphe`;
-  if (found) openMovement(movementElement, found.row, found.time);
-  else {
+  if (found) {
+    closeOverview();
+    openMovement(movementElement, found.row, found.time);
+  } else {
     closeMovement();
     if (before === null || location.hash.startsWith("#?")) readFilterAddress(location.hash);
     openOverview(overviewElement, before);
   }
-  if (found && before === null) element("back").focus();
+  if (found) focusMovement();
   emit("open");
 }
 

@@ -1,19 +1,19 @@
 // A movement's page: the reason, 3D view and clock beside the plots, and tables below.
-import { loadBlock, reasonSentence, report, rows, valueAt } from "./data.js";
-import { build, buildButton, buildName, buildStatus } from "./elements.js";
-import { plainText } from "./format.js";
+import { certificateOf } from "./certificate_box.js";
+import { loadBlock, report, rows, valueAt } from "./data.js";
+import { build, buildButton } from "./elements.js";
 import { graspSection } from "./grasp.js";
-import { measures, measureText, shownValue } from "./measures.js";
-import { clockRange, isGoalMotion, stateAt, timedMotions, timeOfDemonstration } from "./playback.js";
+import { figuresOf, reasonOf, titleOf } from "./movement_head.js";
+import { clockRange, isGoalMotion, isPathChanged, stateAt, timedMotions, timeOfDemonstration } from "./playback.js";
 import { createPlots } from "./plots.js";
 import { createReadings } from "./readings.js";
-import { createScene } from "./scene.js";
+import { createScene, kHasMeshes } from "./scene.js";
 import { plotsOf } from "./series.js";
 import { addressOf, on, pick, setTime, state } from "./state.js";
 import { bandsOf, createTimeline } from "./timeline.js";
+import { kViews } from "./views.js";
 
-const kViews = ["front", "side", "top", "eyes", "fit"];
-const kDisplayOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", true],
+const kDisplayOptions = [["person", "person", true], ["goals", "goals", true], ["capsules", "capsules", !kHasMeshes],
                   ["meshes", "meshes", true], ["mappedPath", "mapped path", true], ["objects", "objects", true],
                   ["nearest", "nearest pair", true], ["contacts", "contacts", true], ["sideBySide", "apart", false]];
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2];
@@ -53,6 +53,7 @@ export async function openMovement(host, rowIndex, time) {
   state.pick = null;
   page.title.replaceChildren(...titleOf(row));
   page.reason.replaceChildren(...reasonOf(plan, row));
+  page.certificate.replaceChildren(certificateOf(row) ?? "");
   page.figures.replaceChildren(...figuresOf(row));
   page.options.sideBySide.parentElement.hidden = shownPlans.length < 2;
   page.options.mappedPath.parentElement.hidden = !shownPlans.some(isPathChanged);
@@ -68,6 +69,9 @@ export async function openMovement(host, rowIndex, time) {
   page.plots.show(plotsOf(shownPlans), bands);
 }
 
+// Puts the focus where the keys of the clock are answered and no button is pressed by them.
+export const focusMovement = () => page.view.focus({ preventScroll: true });
+
 export function closeMovement() {
   stopClock();
   ++openCount;
@@ -75,93 +79,12 @@ export function closeMovement() {
   shownPlans = [];
 }
 
-const isPathChanged = ({ plan }) => plan.mapped &&
-    plan.motions.some((motion) => isGoalMotion(motion) && motion.origin.values.some((value) => value > 0));
-
 const initialTime = (plan) =>
   (plan.worst ? timeOfDemonstration(plan, plan.worst.demonstration_s) : clockRange(plan).begin);
 
-function titleOf(row) {
-  const run = report.runs.length > 1 ? build("span", { class: "muted" }, report.runs[row.run].name) : null;
-  return [buildName(row.plan), " ", buildStatus(row.status), row.certificate.repaired ? " repaired " : " ", run]
-    .filter((part) => part !== null);
-}
-
-const flagsOf = (row) => row.flags.map((flag) => build("p", {}, build("b", {}, "flag "), plainText(flag)));
-
-// The branch of the arm, which files of earlier versions and hands without an arm lack.
-function branchOf({ branch_words: words = [], branch_changes: changes = [] }) {
-  if (words.length === 0) return [];
-  return [build("p", {}, build("b", {}, "branch "), plainText([words.join(", "), ...changes].join("; ")))];
-}
-
-const kAssumptionKinds = [["inferred", "inferred"], ["assumed", "assumed"], ["set_by_hand", "set by hand"],
-                          ["not_looked_at", "not looked at"]];
-
-// What the certificate holds for, and on what it rests; files of earlier versions say nothing.
-function certificateOf(row) {
-  const clearances = (row.certificate.clearance_by_kind ?? []).map(({ kind, clearance, first, second, time }) =>
-    build("li", {}, plainText(`${kind} clearance ${(1e3 * clearance).toFixed(2)} mm, ${first} and ${second} at ${time.toFixed(2)} s`)));
-  const assumptions = [...row.assumptions, ...report.runs[row.run].assumptions];
-  const kinds = kAssumptionKinds.flatMap(([kind, heading]) => {
-    const texts = assumptions.filter((each) => each.kind === kind).map(({ text }) => text);
-    if (texts.length === 0) return [];
-    return [build("dt", {}, heading), ...texts.map((text) => build("dd", {}, plainText(text)))];
-  });
-  if (clearances.length === 0 && kinds.length === 0) return [];
-  const unverified = report.runs[row.run].not_verified;
-  const certified = unverified
-    ? [build("dd", {}, "not verified: the file ", plainText(unverified))]
-    : row.status === "infeasible"
-    ? [build("dd", {}, "no trajectory, hence no certificate")]
-    : [build("dd", {}, "limits, collisions and tracking, along the curve and between its samples"),
-       build("dd", {}, build("ul", {}, ...clearances))];
-  return [build("details", { class: "certificate" },
-                build("summary", {}, "certified / assumed / not looked at"),
-                build("dl", {}, build("dt", {}, "certified"), ...certified, ...kinds))];
-}
-
-function reasonOf(plan, row) {
-  const flags = [...branchOf(row), ...flagsOf(row), ...certificateOf(row)];
-  if (row.reason === "")
-    return row.detail ? [build("p", {}, plainText(row.detail)), ...flags] : flags;
-  const parts = [build("p", {}, build("b", {}, row.reason), ": ", reasonSentence(row.reason)),
-                 build("p", {}, plainText(row.detail)), ...flags];
-  if (plan.worst) {
-    const time = timeOfDemonstration(plan, plan.worst.demonstration_s);
-    parts.push(build("p", {}, "Worst instant: ", plainText(plan.worst.sentence), " ",
-        buildButton("show it", {}, () => setTime(time))));
-  }
-  if (plan.advice.length > 0) {
-    parts.push(build("p", {}, "Suggestions:"),
-               build("ul", {}, ...plan.advice.map((sentence) => build("li", {}, plainText(sentence)))));
-  }
-  if (plan.motions.length === 0) parts.push(build("p", {}, "Nothing was planned: the person alone is shown."));
-  return parts;
-}
-
-const kLimitFigures = [["velocity_ratio", "velocity"], ["acceleration_ratio", "acceleration"],
-                       ["jerk_ratio", "jerk"]];
-
-function figuresOf(row) {
-  const entry = (name, value, exactText) =>
-    build("div", {}, build("dt", {}, name), build("dd", { title: exactText }, value));
-  const shown = measures.map((measure) => {
-    const value = shownValue(measure, row);
-    if (Number.isNaN(value)) return null;
-    const text = `${measureText(measure, value)} ${measure.unit}`;
-    return entry(measure.title, text, `${measure.source} = ${measure.rawValue(row)} ${measure.siUnit}`);
-  });
-  for (const [key, name] of kLimitFigures) {
-    const value = row.certificate[key];
-    if (typeof value === "number")
-      shown.push(entry(`${name}, of limit`, `${(100 * value).toFixed(1)} %`, String(value)));
-  }
-  return shown.filter((entry) => entry !== null);
-}
-
 function buildPage(host) {
   const parts = { title: build("h2", { tabindex: "-1" }), reason: build("div", { class: "reason" }),
+                  certificate: build("div", {}),
                   figures: build("dl", { class: "figures" }), options: {},
                   grasp: build("section", { class: "grasp", "aria-label": "Grasp" }),
                   instant: build("output", { class: "instant" }) };
@@ -169,11 +92,12 @@ function buildPage(host) {
   const readings = build("section", { class: "readings", "aria-label": "Values at this instant" });
   const plots = build("div", { class: "plots", tabindex: "0", role: "region", "aria-label": "Plots" });
   const timeline = build("div", { class: "timeline" });
+  parts.view = build("div", { class: "scene", tabindex: "-1", role: "group",
+    "aria-label": "Movement: space plays, arrow keys step" }, viewBar(parts), sceneHost, clockBar(parts), parts.instant, timeline);
   host.replaceChildren(
-    build("div", { class: "movement-head" }, parts.title, parts.reason),
+    build("div", { class: "movement-head" }, parts.title, parts.reason, parts.certificate),
     build("div", { class: "movement" },
-        build("div", { class: "scene" }, viewBar(parts), sceneHost, clockBar(parts), parts.instant, timeline),
-        plots),
+        parts.view, plots),
     build("div", { class: "movement-foot" }, parts.figures, parts.grasp, readings));
   parts.scene = createScene(sceneHost);
   parts.scene?.onPick(({ planIndex, capsule }) => pickCapsule(shownPlans[planIndex], capsule));

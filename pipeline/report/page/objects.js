@@ -4,8 +4,10 @@ import { createContactMarks } from "./grasp.js";
 import { interpolationAt } from "./playback.js";
 import { fixedMesh, meshGeometry, objectGeometry, poseMatrix } from "./shapes.js";
 
+export const kTable = "table";
+
 // The recorded pose at a time of the demonstration; constant before the first and after the last sample.
-function recordedPose({ time, pose }, demonstration_s) {
+export function poseMatrixAt({ time, pose }, demonstration_s) {
   const { index, next, share } = interpolationAt(time, demonstration_s);
   const from = rowOf(pose, index), to = rowOf(pose, next);
   if (share === 0) return poseMatrix(from);
@@ -15,6 +17,7 @@ function recordedPose({ time, pose }, demonstration_s) {
       rotation(from).slerp(rotation(to), share), new THREE.Vector3(1, 1, 1));
 }
 
+// Obstacles have a colour of their own, and their edges shine through what is before them.
 // {group, marks (of contacts), pose(state, demonstration_s), highlight(pick, nearest, touching)};
 // targetOnly: only the target is shown, as lines.
 export function createObjects({ plan, robot, target }, materials, targetOnly, onChange) {
@@ -23,12 +26,14 @@ export function createObjects({ plan, robot, target }, materials, targetOnly, on
   const marks = createContactMarks(plan.grasp?.contacts ?? [], materials.contact);
   const add = (object, index, geometry) => {
     const isTarget = object.name === target;
-    const material = isTarget ? materials.target : materials.object;
+    const isObstacle = !isTarget && object.name !== kTable;
+    const material = isTarget ? materials.target : isObstacle ? materials.obstacle : materials.object;
     const mesh = fixedMesh(geometry, material);
     mesh.userData.material = material;
     mesh.visible = !targetOnly || isTarget;
     const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 25), materials.edge);
     mesh.add(edges);
+    if (isObstacle && !targetOnly) mesh.add(new THREE.LineSegments(edges.geometry, materials.hiddenEdge));
     if (targetOnly) mesh.material = materials.invisible;
     if (isTarget && !targetOnly) mesh.add(marks);
     meshes[index] = mesh;
@@ -46,7 +51,7 @@ export function createObjects({ plan, robot, target }, materials, targetOnly, on
         if (!mesh) return;
         const carriedPose = object.name === target && state ? rowOf(state.motion.object_pose, state.index) : null;
         if (carriedPose && Number.isFinite(carriedPose[0])) mesh.matrix.copy(poseMatrix(carriedPose));
-        else mesh.matrix.copy(recordedPose(object, demonstration_s));
+        else mesh.matrix.copy(poseMatrixAt(object, demonstration_s));
         mesh.matrixWorldNeedsUpdate = true;
       });
     },

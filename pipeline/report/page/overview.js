@@ -1,18 +1,20 @@
 // The first page: counts, distributions that select plans, a table of all plans, and the runs.
+import { certificateOfRun } from "./certificate_box.js";
 import { differenceColumns, partnerRows, planColumns } from "./columns.js";
 import { buildCounts } from "./counts.js";
 import { report, rows } from "./data.js";
 import { build, buildButton } from "./elements.js";
 import { clearFilter, countPassing, filter, filterAddress, isFiltered, passing, setFilter } from "./filter.js";
 import { countText, plainText } from "./format.js";
-import { buildHistogram } from "./histogram.js";
+import { buildHistogram, isDistribution } from "./histogram.js";
 import { measures } from "./measures.js";
+import { buildPosters } from "./posters.js";
 import { buildRuns } from "./runs.js";
 import { addressOf, on, state } from "./state.js";
 import { buildTable, sortItems } from "./table.js";
 
 let shownItems = rows.map((_, index) => index);
-let elements = null;
+let elements = null, isOpenedByPoster = false;
 
 // Indices into rows, in the order of the table.
 export const shownRows = () => shownItems;
@@ -37,7 +39,10 @@ function sortBy(column) {
   else setFilter({ sort: column.id, descending: isSameColumn });
 }
 
-const openRow = (row) => { location.hash = addressOf(rows, row); };
+function openRow(row) {
+  writeFilterAddress();
+  location.hash = addressOf(rows, row);
+}
 
 function buildTools() {
   const search = build("input", { type: "search", placeholder: "Search plans, subjects, tasks, reasons",
@@ -63,24 +68,38 @@ function buildComparison() {
   return [build("label", {}, box, " differences"), choice("before", "from run"), " → ", choice("after", "to run")];
 }
 
+// A box for each run, with its name if there are several.
+function certificatesOfRuns() {
+  return report.runs.flatMap((run, index) => {
+    const box = certificateOfRun(run, index);
+    if (box === null) return [];
+    return report.runs.length > 1 ? [build("h3", {}, plainText(run.name)), box] : [box];
+  });
+}
+
 function buildOverview(host) {
   const tools = buildTools();
   const table = buildTable({ label: "Plans", onOpen: openRow, onSort: sortBy });
   const counts = buildCounts();
-  const histograms = measures.map(buildHistogram);
+  const posters = buildPosters();
+  const histograms = measures.filter(isDistribution).map(buildHistogram);
+  // Whoever follows a link comes back to what is chosen now.
+  host.addEventListener("click", writeFilterAddress, true);
   host.replaceChildren(
     ...report.runs.filter(({ not_verified }) => not_verified).map(({ name, not_verified }) =>
       build("p", { class: "warning", role: "alert" }, "Not verified: ", plainText(name), " ", plainText(not_verified))),
     ...report.runs.filter(({ left_out }) => left_out).map(({ left_out }) =>
       build("p", { class: "warning" }, plainText(left_out))),
     counts.section,
-    build("section", { "aria-labelledby": "table-title" }, build("h2", { id: "table-title" }, "Movements"), tools.tools, table.box),
-    build("section", { "aria-labelledby": "distributions-title" },
+    ...certificatesOfRuns(),
+    build("section", { "aria-labelledby": "table-title" }, build("h2", { id: "table-title" }, "Movements"), tools.tools,
+        posters.box, table.box),
+    histograms.length === 0 ? "" : build("section", { "aria-labelledby": "distributions-title" },
         build("h2", { id: "distributions-title" }, "Distributions"),
         build("p", { class: "muted small" }, "Click or drag over bars to show only those plans."),
         build("div", { class: "histograms" }, ...histograms.map(({ card }) => card))),
     buildRuns());
-  return { tools, table, counts, histograms, columns: null };
+  return { tools, posters, table, counts, histograms, columns: null };
 }
 
 function showFiltered() {
@@ -95,6 +114,7 @@ function showFiltered() {
     elements.table.setColumns(columns);
   }
   elements.table.show(shownItems, sorted, filter.descending);
+  elements.posters.show(shownItems);
   elements.counts.update();
   elements.histograms.forEach((histogram) => histogram.update());
   const { search, shown, showAll } = elements.tools;
@@ -110,9 +130,11 @@ let filterTimer = 0;
 
 function keepFilterAddress() {
   clearTimeout(filterTimer);
-  filterTimer = setTimeout(() => {
-    if (state.row === null && location.hash !== filterAddress()) history.replaceState(null, "", filterAddress());
-  }, 200);
+  filterTimer = setTimeout(writeFilterAddress, 200);
+}
+
+function writeFilterAddress() {
+  if (state.row === null && location.hash !== filterAddress()) history.replaceState(null, "", filterAddress());
 }
 
 on("filter", showFiltered);
@@ -120,7 +142,14 @@ on("filter", showFiltered);
 export function openOverview(host, row) {
   elements ??= buildOverview(host);
   showFiltered();
-  if (row !== null) elements.table.focusItem(row);
+  if (row !== null && !(isOpenedByPoster && elements.posters.focus(row))) elements.table.focusItem(row);
+}
+
+// Remembers whether the focus returns to a poster or to the table.
+export function closeOverview() {
+  if (!elements) return;
+  isOpenedByPoster = elements.posters.box.contains?.(document.activeElement);
+  elements.posters.stop();
 }
 
 export const focusSearch = () => elements?.tools.search.focus();

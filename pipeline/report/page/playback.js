@@ -37,6 +37,10 @@ export const clockRange = (plan) => {
 
 export const isGoalMotion = ({ name }) => name !== "approach" && name !== "retreat";
 
+// True of a shown plan whose path repair changed.
+export const isPathChanged = ({ plan }) => plan.mapped &&
+    plan.motions.some((motion) => isGoalMotion(motion) && motion.origin.values.some((value) => value > 0));
+
 // {motion, index, next, share, demonstration_s, q, human: {index, next, share}} at a time of the clock;
 // null if nothing was planned. Between samples: the cubic through position and velocity.
 export function stateAt(plan, robot, time) {

@@ -1,24 +1,47 @@
 // The plots beside the 3D view, on its clock. A click moves the clock; a line that is clicked is
 // picked everywhere.
 import { colour } from "./colours.js";
-import { build } from "./elements.js";
-import { numberText } from "./format.js";
+import { build, buildButton, buildSvg } from "./elements.js";
+import { numberText, plainText } from "./format.js";
 import { on, pick, setTime, state } from "./state.js";
+import { buildBandKey } from "./timeline.js";
 
-const kDash = [5, 4];
+const kPatterns = [null, [7, 3], [2, 2], [9, 3, 2, 3]];
+const kFewSeries = 6; // up to as many lines differ in colour and pattern
 const kPalette = ["--line-0", "--line-1", "--line-2", "--line-3", "--line-4", "--line-5", "--line-6"];
 
 const isPicked = (series) => series.pick && JSON.stringify(series.pick) === JSON.stringify(state.pick);
 
+// {colour (a name of style.css), pattern (lengths of dashes and gaps, null: solid)} of a line.
+function styleOf(series, index) {
+  if (series[index].isReference) return { name: "--muted", pattern: [5, 4] };
+  const round = series.length <= kFewSeries ? index : Math.floor(index / kPalette.length);
+  return { name: kPalette[index % kPalette.length], pattern: kPatterns[round % kPatterns.length] };
+}
+
+// The names of the lines, those that can be picked as buttons.
+function buildLegend(series, title) {
+  const items = series.map((line, index) => {
+    const { name, pattern } = styleOf(series, index);
+    const swatch = buildSvg("svg", { width: 24, height: 8, "aria-hidden": "true" },
+        buildSvg("line", { x1: 0, x2: 24, y1: 4, y2: 4, class: name.slice(2), "stroke-dasharray": pattern?.join(" ") }));
+    if (!line.pick) return build("span", { class: "line-name" }, swatch, plainText(line.name));
+    const button = buildButton("", { class: "line-name quiet", "aria-pressed": "false" }, () => pick(line.pick));
+    button.append(swatch, plainText(line.name));
+    return button;
+  });
+  return { items, series, element: build("div", { class: "plot-legend", role: "group", "aria-label": `Lines of ${title}` }, ...items) };
+}
+
 function optionsOf(series, hasManySeries) {
-  const palette = kPalette.map(colour);
   const hasPick = series.some(isPicked);
   const options = {};
   series.forEach((line, index) => {
+    const { name, pattern } = styleOf(series, index);
     options[line.label] = {
-      color: line.isReference ? colour("--muted") : palette[index % palette.length],
+      color: colour(name),
       strokeWidth: isPicked(line) ? 3 : hasPick && line.pick ? 0.4 : hasManySeries ? 1 : 1.6,
-      strokePattern: line.isReference || line.dashed ? kDash : Math.floor(index / palette.length) % 2 === 1 ? [2, 2] : null,
+      strokePattern: pattern,
     };
   });
   return options;
@@ -39,16 +62,16 @@ function drawBands(canvas, area, graph, bands) {
   canvas.restore();
 }
 
-function buildPlot(host, plot, bands) {
+function buildPlot(host, plot, bands, legend) {
   plot.series.forEach((line, index) => {
     line.label = `${index} ${line.name}`;
-    line.dashed = index > 0 && plot.series.length <= 4;
   });
   const box = build("div", { class: "plot-canvas" });
   const cursor = build("div", { class: "plot-cursor", "aria-hidden": "true" });
   const value = build("output", { class: "plot-value" });
   const figure = build("figure", { class: "plot", role: "group", "aria-label": `${plot.title}, ${plot.unit}` },
-      build("figcaption", {}, build("b", {}, plot.title), ` ${plot.unit} `, value), box, cursor);
+      build("figcaption", {}, build("b", {}, plot.title), ` ${plot.unit} `, value), legend ? legend.element : "",
+      build("div", { class: "plot-area" }, box, cursor));
   host.append(figure);
   const hasManySeries = plot.series.length > 6;
   const graph = new Dygraph(box, plot.rows, {
@@ -73,7 +96,7 @@ function buildPlot(host, plot, bands) {
       if (series?.pick && !isPicked(series)) pick(series.pick);
     },
   });
-  return { graph, figure, cursor, plot, hasManySeries };
+  return { graph, figure, cursor, plot, hasManySeries, legend };
 }
 
 const readingText = ({ series, unit }, index, row) =>
@@ -95,7 +118,7 @@ function rangeOf({ rows, limits }) {
 }
 
 export function createPlots(host) {
-  let shownPlots = [];
+  let shownPlots = [], legends = [];
   // Only the cursors in view move: a playing clock moves them at every frame.
   const visibility = new IntersectionObserver((entries) => {
     for (const { target, isIntersecting } of entries) target.isVisible = isIntersecting;
@@ -115,13 +138,16 @@ export function createPlots(host) {
       graph.updateOptions({ series: optionsOf(plot.series, hasManySeries), axisLineColor: colour("--line"),
                             gridLineColor: colour("--line") });
     }
+    for (const { items, series } of legends)
+      items.forEach((item, index) => { if (series[index].pick) item.setAttribute("aria-pressed", String(isPicked(series[index]))); });
   };
   const clear = () => {
     for (const { graph, figure } of shownPlots) {
       graph.destroy();
       visibility.unobserve(figure);
     }
-    shownPlots = [];
+    [shownPlots, legends] = [[], []];
+    delete host.dataset.drawn;
     host.replaceChildren();
   };
   on("time", moveCursors);
@@ -131,9 +157,24 @@ export function createPlots(host) {
     show(plots, bands) {
       clear();
       const ownPlots = shownPlots;
+      host.append(buildBandKey(bands));
+      // Plots of the same lines have one legend, before the first of them.
+      const legendFor = (index) => {
+        const { series, group, title } = plots[index];
+        if (index > 0 && plots[index - 1].series === series) return null;
+        const legend = buildLegend(series, group ?? title);
+        legends.push(legend);
+        if (!group) return legend;
+        host.append(build("div", { class: "plot-group" }, build("b", {}, group), legend.element));
+        return null;
+      };
       const next = (index) => {
-        if (ownPlots !== shownPlots || index === plots.length) return;
-        shownPlots.push(buildPlot(host, plots[index], bands));
+        if (ownPlots !== shownPlots) return;
+        if (index === plots.length) {
+          host.dataset.drawn = plots.length;
+          return;
+        }
+        shownPlots.push(buildPlot(host, plots[index], bands, legendFor(index)));
         visibility.observe(shownPlots[index].figure);
         moveCursors();
         requestAnimationFrame(() => next(index + 1));

@@ -4,6 +4,7 @@ import { build, buildButton } from "./elements.js";
 import { numberText, plainText } from "./format.js";
 import { tipTolerance, touchingPairs } from "./playback.js";
 import { on, pick, state } from "./state.js";
+import { bodyNameOf } from "./subject.js";
 
 const kUpdatesPerSecond = 5; // a playing clock does not rewrite the table at every frame
 
@@ -69,9 +70,7 @@ const tipEntry = ({ row, plan }, { name }, index) =>
       .map((metres) => `${numberText(1e3 * metres)} mm`);
   });
 
-const bodyName = ({ robot, plan }, index) =>
-  plainText(index < robot.capsules.length ? robot.capsules[index].name
-      : plan.objects[index - robot.capsules.length].name);
+const bodyName = (shownPlan, index) => plainText(bodyNameOf(shownPlan, index));
 
 function writeNearest(host, shownPlan, now) {
   if (!now || valueAt(now.motion.nearest.first, now.index) < 0) {

@@ -1,6 +1,6 @@
 // A robot in the 3D view: the capsules that are checked, meshes and tips.
 import { loadBlock } from "./data.js";
-import { forward, jointOf, tipPosition } from "./kinematics.js";
+import { forward, isOfHand, jointOf, tipPosition } from "./kinematics.js";
 import { ballGeometry, boneGeometry, capsuleGeometry, fixedMesh, meshGeometry, placeBone, poseBetween } from "./shapes.js";
 
 const vectorOf = (numbers) => new THREE.Vector3(...numbers);
@@ -11,13 +11,16 @@ const capsuleMesh = ({ from, to, radius }, material) => {
   return { mesh, local: poseBetween(a, b) };
 };
 
-// {group, capsulesGroup, meshesGroup, pose(q) → base_from_frame of every frame, highlight(pick,
-// nearest, touching)}; materials: {plain, picked, near, touching, mesh, tip}
+// {group, capsulesGroup, pose(q) → base_from_frame of every frame, highlight(pick, nearest, touching),
+// show({capsules, meshes})}; materials: {plain, hand, picked, near, touching}, and {mesh, tip} of a robot
+// that is no ghost. Capsules that are
+// picked, nearest or touching are shown even if the others are not.
 export function createRobotModel(robot, materials, onChange) {
   const group = new THREE.Group();
   const capsulesGroup = new THREE.Group(), meshesGroup = new THREE.Group(), tipsGroup = new THREE.Group();
   group.add(capsulesGroup, meshesGroup, tipsGroup);
-  const capsules = robot.capsules.map((capsule) => capsuleMesh(capsule, materials.plain));
+  const plain = robot.capsules.map(({ frame }) => (isOfHand(robot, frame) ? materials.hand : materials.plain));
+  const capsules = robot.capsules.map((capsule, index) => capsuleMesh(capsule, plain[index]));
   capsules.forEach(({ mesh }, index) => {
     mesh.userData.capsule = index;
     capsulesGroup.add(mesh);
@@ -35,13 +38,19 @@ export function createRobotModel(robot, materials, onChange) {
     onChange();
   };
   if (materials.mesh) (robot.meshes ?? []).forEach(addMesh);
-  let poses = [];
+  let poses = [], showsCapsules = true, marked = new Set();
+  const showCapsules = () => capsules.forEach(({ mesh }, index) => { mesh.visible = showsCapsules || marked.has(index); });
   const setMatrix = (mesh, matrix) => {
     mesh.matrix.copy(matrix);
     mesh.matrixWorldNeedsUpdate = true;
   };
   return {
-    group, capsulesGroup, meshesGroup,
+    group, capsulesGroup,
+    show({ capsules: capsulesShown, meshes: meshesShown }) {
+      showsCapsules = capsulesShown;
+      meshesGroup.visible = meshesShown;
+      showCapsules();
+    },
     pose(q) {
       poses = forward(robot, q);
       robot.capsules.forEach(({ frame }, index) => {
@@ -58,14 +67,17 @@ export function createRobotModel(robot, materials, onChange) {
       const isPicked = (index) => (pick?.kind === "joint" && jointOf(robot, robot.capsules[index].frame) === pick.index) ||
           (pick?.kind === "finger" && robot.capsules[index].frame === robot.tips[pick.index]?.frame) ||
           (pick?.kind === "pair" && (pick.first === index || pick.second === index));
+      marked = new Set();
       capsules.forEach(({ mesh }, index) => {
+        if (touching.has(index) || isPicked(index) || nearest.includes(index)) marked.add(index);
         mesh.material = touching.has(index) ? materials.touching
             : isPicked(index) ? materials.picked
-            : nearest.includes(index) ? materials.near : materials.plain;
+            : nearest.includes(index) ? materials.near : plain[index];
       });
       tips.forEach((tip, index) => {
         tip.scale.setScalar(pick?.kind === "finger" && pick.index === index ? 2 : 1);
       });
+      showCapsules();
       showAxis(pick);
     },
   };

@@ -2,7 +2,8 @@
 import { valueAt } from "./data.js";
 import { isGoalMotion, stateAt, timedMotions, timeOfDemonstration, tipTolerance } from "./playback.js";
 
-// {title, unit, series: [{name, pick, isReference}], rows: [[time, value…]], limits: [low, high]}
+// {title, unit, series: [{name, pick, isReference}], rows: [[time, value…]], limits: [low, high],
+// group: the heading of plots with the same series}
 const plotOf = (title, unit, series, rows, more = {}) => ({ title, unit, series, rows, ...more });
 
 // One row per sample of all motions; null: no value.
@@ -29,8 +30,8 @@ function jointPlots({ plan, robot }) {
   const series = joints.map(({ name }, index) => ({ name, pick: { kind: "joint", index } }));
   const share = (table) => (motion, k, j) => (motion[table] ? 100 * valueAt(motion[table], k, j) : NaN);
   const jointPlot = (title, unit, limits, value) =>
-      plotOf(title, unit, series, rowsOverMotions(plan, joints.length, value), { limits });
-  const plots = [jointPlot("Joint positions", "% of range", [0, 100],
+      plotOf(title, unit, series, rowsOverMotions(plan, joints.length, value), { limits, group: "Joints" });
+  const plots = [jointPlot("Position", "% of range", [0, 100],
       (motion, k, j) => shareOfRange(joints[j], valueAt(motion.position, k, j)))];
   if (plan.motions.some((motion) => motion.velocity)) {
     for (const [title, table] of [["Velocity", "velocity"], ["Acceleration", "acceleration"], ["Jerk", "jerk"]]) {
@@ -48,6 +49,15 @@ function tipPlot({ plan, robot, row }) {
     if (!motion.tip_error) return NaN;
     return 1e3 * (i < tips ? valueAt(motion.tip_error, k, i) : tipTolerance(row, plan, motion, k));
   }));
+}
+
+const kArmErrors = ["upper arm", "forearm", "swivel", "palm"];
+
+// The angles between the first robot's arm and the person's.
+function armPlot({ plan }) {
+  return plotOf("Arm against the person's", "°", kArmErrors.map((name) => ({ name })),
+      rowsOverMotions(plan, kArmErrors.length, (motion, k, i) =>
+        (motion.arm_error ? 180 / Math.PI * valueAt(motion.arm_error, k, i) : NaN)));
 }
 
 // The values of the other runs at the same instants of the demonstration.
@@ -89,6 +99,7 @@ export function plotsOf(shownPlans) {
     plotOfRuns(shownPlans, "Tip speed", "m/s", [human], (motion, k) => (motion.speed ? valueAt(motion.speed, k) : NaN)),
     plotOfRuns(shownPlans, "Distance from the person's arm (A)", "m²", [mapped],
         (motion, k) => (motion.humanlikeness ? valueAt(motion.humanlikeness, k) : NaN)),
+    armPlot(first),
     ...jointPlots(first),
   ];
   return plots.filter(({ rows }) => rows.some((row) => row.slice(1).some((value) => value !== null)));

@@ -35,7 +35,8 @@ export function placeBone(mesh, from, to, radius) {
   mesh.matrixWorldNeedsUpdate = true;
 }
 
-export const boneGeometry = () => new THREE.CylinderBufferGeometry(1, 1, 1, 10).rotateX(Math.PI / 2);
+// taper: the radius at the far end, as a share of that at the near one.
+export const boneGeometry = (taper = 1) => new THREE.CylinderBufferGeometry(taper, 1, 1, 12).rotateX(Math.PI / 2);
 
 export function fixedMesh(geometry, material) {
   const mesh = new THREE.Mesh(geometry, material);
@@ -56,7 +57,7 @@ export function meshGeometry({ vertices, triangles }) {
   const geometry = new THREE.BufferGeometry();
   const corners = new Float32Array(3 * triangles.values.length);
   triangles.values.forEach((vertex, k) => corners.set(rowOf(vertices, vertex), 3 * k));
-  geometry.addAttribute("position", new THREE.BufferAttribute(corners, 3));
+  geometry.setAttribute("position", new THREE.BufferAttribute(corners, 3));
   geometry.computeVertexNormals();
   return geometry;
 }

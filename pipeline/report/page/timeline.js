@@ -19,11 +19,22 @@ export function bandsOf(plan) {
     if (name !== "rest") add("phase", onClock(begin_s), onClock(end_s), name, description);
   }
   for (const timedMotion of timedMotions(plan)) addOrigins(timedMotion, add);
-  for (const { begin_s, end_s, cause, sentence } of plan.findings)
-    add("finding", onClock(begin_s), onClock(end_s), cause, `before repair: ${plainText(sentence)}`);
+  for (const { begin_s, end_s, cause, other, sentence } of plan.findings)
+    add("finding", onClock(begin_s), onClock(end_s), findingName(cause, other), `before repair: ${plainText(sentence)}`);
   if (plan.grasp) add("mark", onClock(plan.grasp.demonstration_s), null, "grasp", "the grasp");
   if (plan.worst) add("mark", onClock(plan.worst.demonstration_s), null, "worst", plan.worst.sentence);
   return bands.map((band) => ({ ...band, end: band.end ?? band.begin }));
+}
+
+const findingName = (cause, other) => plainText(cause.replaceAll("_", " ") + (other ? ` with ${other}` : ""));
+
+const kBandNames = { finding: "found in the mapped path", origin: "changed by repair", mark: "grasp or worst instant" };
+
+// What the colours of the bands mean, of those that are there.
+export function buildBandKey(bands) {
+  const kinds = Object.keys(kBandNames).filter((kind) => bands.some((band) => band.kind === kind));
+  return build("p", { class: "band-key small" },
+      ...kinds.map((kind) => build("span", { class: `key-${kind}` }, kBandNames[kind])));
 }
 
 const kOrigins = ["mapped", "re_solved", "planned"];
@@ -47,7 +58,7 @@ function marksOf(bands) {
   const marks = new Map();
   for (const { kind, begin, name, description } of bands) {
     if (kind !== "finding" && kind !== "mark") continue;
-    const title = `${name} ${begin.toFixed(2)} s`;
+    const title = `${name}, ${begin.toFixed(2)} s`;
     if (!marks.has(title)) marks.set(title, { begin, descriptions: [] });
     marks.get(title).descriptions.push(description);
   }
@@ -58,8 +69,8 @@ export function createTimeline(host) {
   const bandsHost = build("div", { class: "bands" });
   const slider = build("input", { type: "range", "aria-label": "Time", step: "any" });
   const cursor = build("div", { class: "timeline-cursor", "aria-hidden": "true" });
-  const marks = build("div", { class: "marks" });
-  host.replaceChildren(build("div", { class: "track" }, bandsHost, cursor), slider, marks);
+  const marks = build("div", { class: "marks", role: "group", "aria-label": "Instants" }), key = build("div");
+  host.replaceChildren(build("div", { class: "track" }, bandsHost, cursor), slider, key, marks);
   slider.addEventListener("input", () => setTime(Number(slider.value)));
   bandsHost.addEventListener("click", (event) => {
     const box = bandsHost.getBoundingClientRect();
@@ -73,8 +84,11 @@ export function createTimeline(host) {
       slider.min = range.begin;
       slider.max = range.end;
       bandsHost.replaceChildren(...bands.map((band) => bandElement(band, share)));
-      marks.replaceChildren(...marksOf(bands).map(([name, { begin, descriptions }]) =>
-        buildButton(name, { title: descriptions.join("\n") }, () => setTime(begin))));
+      key.replaceChildren(buildBandKey(bands));
+      const all = marksOf(bands);
+      marks.replaceChildren(all.length > 0 ? build("span", { class: "muted" }, "go to") : "",
+          ...all.map(([name, { begin, descriptions }]) =>
+            buildButton(name, { title: descriptions.join("\n") }, () => setTime(begin))));
     },
     update(text) {
       slider.value = state.time;
@@ -85,7 +99,7 @@ export function createTimeline(host) {
 }
 
 function bandElement({ kind, begin, end, name, description }, share) {
-  const element = build("span", { class: `band ${kind} band-${name}`, title: description },
+  const element = build("span", { class: `band ${kind} band-${kind === "finding" ? kind : name}`, title: description },
       kind === "phase" ? name : "");
   const left = Math.min(1, Math.max(0, share(begin))), right = Math.min(1, Math.max(0, share(end)));
   element.style.left = `${100 * left}%`;

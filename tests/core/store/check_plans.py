@@ -132,7 +132,7 @@ with h5py.File(sys.argv[1]) as file:
     assert list(file["plans"]) == ["zz"] and list(file["plans/zz"]) == ["000", "001"]
     full, bare = file["plans/zz/000"], file["plans/zz/001"]
     for plan in (full, bare):
-        attributes(plan, PLAN_ATTRIBUTES + (["max_link_penetration", "branch"] if plan is full else []))
+        attributes(plan, PLAN_ATTRIBUTES + (["max_link_penetration", "branch", "source", "licence"] if plan is full else []))
         attributes(plan["certificate"], CERTIFICATE)
         attributes(plan["goals"], ["common_base_offset"])
         assert text(plan["mapped/status"].attrs["meaning"]) == \

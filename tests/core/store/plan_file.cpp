@@ -176,6 +176,8 @@ void expect_same(const Plan& a, const Plan& b) {
   EXPECT_SAME(demonstration);
   EXPECT_SAME(subject);
   EXPECT_SAME(task);
+  EXPECT_SAME(source);
+  EXPECT_SAME(licence);
   EXPECT_SAME(hand);
   EXPECT_SAME(movement.index);
   EXPECT_SAME(movement.begin_s);

@@ -264,6 +264,8 @@ Plan full_plan(const std::string& demonstration, int movement) {
   plan.mapped.status = {FrameStatus::compromise, FrameStatus::out_of_reach, FrameStatus::no_goal,
                         FrameStatus::met};
   plan.flags = flags();
+  plan.source = "https://example.org/recordings";
+  plan.licence = "MIT";
   plan.recording_assumptions = assumptions();
   plan.findings = {{0.6, 0.7, Cause::object_collision, "finger", "table", 0.01},
                    {0.8, 0.9, Cause::joint_limit, "E1", "", 0.02, FindingUnit::radian, 1.5}};

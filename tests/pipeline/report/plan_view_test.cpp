@@ -74,7 +74,9 @@ TEST(ViewOf, ErrorsSpeedAndClearanceAreTheClosedForms) {
         (Vec3(0.3 * std::cos(angle), 0.3 * std::sin(angle), 0) - Vec3(0.3, 0, 0.1)).squaredNorm(),
         1e-12);
     EXPECT_NEAR(motion.nearest[k].separation.distance, distance_to_ball(angle), 1e-9);
+    EXPECT_NEAR(motion.arm_error(row, 0), std::acos(3 * std::cos(angle) / std::sqrt(10.0)), 1e-12);
   }
+  EXPECT_TRUE(motion.arm_error.rightCols(3).array().isNaN().all());  // no wrist, no palm
   EXPECT_TRUE(motion.touching_pairs.empty());
   EXPECT_EQ(motion.clearance.size(), motion.time.size());
 }

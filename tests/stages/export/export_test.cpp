@@ -79,14 +79,6 @@ TEST(RosTrajectory, TimeStillIncreasesWhereItIsRoundedAway) {
   EXPECT_NE(text.find("{sec: 1, nanosec: 1}"), std::string::npos);
 }
 
-TEST(Robomimic, HoldsOutATenthEvenlySpread) {
-  EXPECT_TRUE(validation_demos(0).empty());
-  EXPECT_TRUE(validation_demos(1).empty());
-  EXPECT_EQ(validation_demos(2), (std::vector<std::size_t>{1}));
-  EXPECT_EQ(validation_demos(5), (std::vector<std::size_t>{2}));
-  EXPECT_EQ(validation_demos(20), (std::vector<std::size_t>{5, 15}));
-}
-
 TEST(Robomimic, AJointWithoutLimitsCannotBeScaled) {
   RobotModel robot = one_joint();
   robot.upper[0] = std::numeric_limits<double>::infinity();

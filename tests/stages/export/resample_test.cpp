@@ -77,6 +77,26 @@ TEST(Resampled, TheEndIsThereOnce) {
             (std::vector<double>{0, 0.5 + 1e-12}));
 }
 
+TEST(ResampledUniformly, IsExactlyAtKOverRate) {
+  const Trajectory from = sampled({0, 0.2, 0.5, 0.61});
+  for (const double rate_hz : {20.0, 30.0, 50.0, 7.0, 1.0, 1000.0}) {
+    const Trajectory to = resample_uniformly(from, rate_hz);
+    const std::size_t last = to.samples() - 1;
+    EXPECT_NEAR(static_cast<double>(last), std::ceil(0.61 * rate_hz - 1e-6), 1e-9) << rate_hz;
+    for (std::size_t k = 0; k <= last; ++k) {
+      EXPECT_EQ(to.time[k], static_cast<double>(k) / rate_hz);
+      for (std::size_t j = 0; j < 2 && k < last; ++j) {
+        const auto row = static_cast<Eigen::Index>(k), joint = static_cast<Eigen::Index>(j);
+        EXPECT_NEAR(to.position(row, joint), curve(j, to.time[k], 0), 1e-12);
+        EXPECT_NEAR(to.velocity(row, joint), curve(j, to.time[k], 1), 1e-11);
+      }
+    }
+    EXPECT_EQ(to.position.bottomRows(1), from.position.bottomRows(1));
+    EXPECT_EQ(to.velocity.bottomRows(1).norm(), 0);
+    EXPECT_EQ(to.phase.size(), to.samples());
+  }
+}
+
 TEST(Subdivided, KeepsTheSamplesAndTheCurve) {
   const Trajectory samples = sampled({0.2, 0.3, 0.55, 0.8, 1.17});
   const Trajectory t = subdivide(samples, 3);

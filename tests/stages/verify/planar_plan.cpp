@@ -244,6 +244,8 @@ Plan plan(double step_s) {
                        fixed("cup", Shape::sphere, {0.03}, cup),
                        fixed("rod", Shape::capsule, {0.002, 0.3}, Vec3(-0.5, 0.5, 0.2)),
                        fixed("table", Shape::box, {2, 2, 0.1}, Vec3(0, 0, 0.065 - 0.05))};
+  out.scene.objects[1].attach_s = 2.7;
+  out.scene.objects[1].release_s = 2.8;
   map_goals(out);
   const auto& reached = out.trajectory.demonstration_time;
   out.grasp =

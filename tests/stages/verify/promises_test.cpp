@@ -157,6 +157,7 @@ TEST(VerifyPromises, FindsAPlaceThatTheSceneDoesNotHave) {
       {"scene cup", taken(2.1, 2.8, "distal")},
       {"scene cup", taken(2.7, 2.75, "distal")},
       {"scene cup", taken(kUnknown, kUnknown, "distal")},
+      {"scene cup", taken(kUnknown, kUnknown, "")},
       {"scene bottle", [](Plan& plan) { plan.scene.objects[0].attach_s = 2.7; }},
       {"scene bottle", [](Plan& plan) { plan.scene.objects.push_back(plan.scene.objects[0]); }},
       {"scene reference_frames/table",
@@ -429,6 +430,8 @@ TEST(VerifyRecorded, NamesWhatDiffersFromTheRecording) {
   const Forgery cases[] = {
       {"subject", [](Plan& plan) { plan.subject = "P99"; }},
       {"task", [](Plan& plan) { plan.task = "another"; }},
+      {"source", [](Plan& plan) { plan.source = "another"; }},
+      {"licence", [](Plan& plan) { plan.licence = "CC0"; }},
       {"hand", [](Plan& plan) { plan.hand = Side::left; }},
       {"assumptions", [](Plan& plan) { plan.recording_assumptions.emplace_back(); }},
       {"flags", [](Plan& plan) { plan.flags.emplace_back(); }},
