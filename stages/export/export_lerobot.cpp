@@ -71,8 +71,8 @@ Episodes find_episodes(ExportRun& run) {
     episodes.plans.push_back(chosen);
   }
   if (episodes.plans.empty()) throw InputError("--format lerobot: no plan has a trajectory");
-  std::ranges::stable_partition(episodes.plans,
-                                [](const ChosenPlan& plan) { return plan.side != kValid; });
+  std::stable_partition(episodes.plans.begin(), episodes.plans.end(),
+                        [](const ChosenPlan& plan) { return plan.side != kValid; });
   return episodes;
 }
 
