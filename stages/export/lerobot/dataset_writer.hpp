@@ -16,7 +16,7 @@
 
 namespace morphe::exports {
 
-/// What is common to all episodes of a LeRobotDataset.
+/// The data that all episodes of a LeRobotDataset have in common.
 struct LeRobotDataset {
   int fps = 30;  ///< frames per second, > 0
   std::string robot_type;

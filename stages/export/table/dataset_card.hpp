@@ -28,7 +28,7 @@ struct PlanCounts {
   void add_chosen(const Plan& plan, std::string_view side);
 };
 
-/// What a card says beside the counts.
+/// The sentences of a card beside the counts.
 struct CardOptions {
   std::string title;         ///< one line
   std::string front_matter;  ///< YAML for the hub of datasets, or ""

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 3> names_of(SplitBy) {
   return {"none", "demonstration", "person"};
 }
 
-/// How plans are divided into those for training and those for validation.
+/// The division of plans into those for training and those for validation.
 struct SplitOptions {
   SplitBy by = SplitBy::none;
   double validation_share = 0.1;  ///< of the demonstrations or persons, > 0 and < 1

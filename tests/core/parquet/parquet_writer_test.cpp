@@ -58,7 +58,7 @@ TEST(EncodeLevels, OthersArePackedLowestBitFirst) {
   // Ten levels of one bit: two groups of eight, the second one padded.
   EXPECT_EQ(hex(encode_levels(std::vector<std::uint8_t>{0, 1, 1, 1, 0, 1, 1, 1, 0, 1}, 1)),
             "0300000005ee02");
-  // Of two bits: 3, 0, 1, 2 are 0b10'01'00'11.
+  // Packs two bits a value: 3, 0, 1, 2 are 0b10'01'00'11.
   EXPECT_EQ(hex(encode_levels(std::vector<std::uint8_t>{3, 0, 1, 2}, 2)), "03000000039300");
 }
 
